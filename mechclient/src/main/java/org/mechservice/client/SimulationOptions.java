@@ -298,7 +298,7 @@ public final class SimulationOptions {
   }
 
   /** Returns the requested column groups; empty if the file decides. */
-  Optional<Set<ColumnGroup>> columnGroups() {
+  public Optional<Set<ColumnGroup>> columnGroups() {
     return Optional.ofNullable(texts.get(OPT_COLUMNS.value))
         .map(
             labels ->

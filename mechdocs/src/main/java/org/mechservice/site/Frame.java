@@ -20,6 +20,7 @@ final class Frame {
       <meta name="viewport" content="width=device-width, initial-scale=1">
       <title>%1$s · MechService</title>
       <link rel="icon" href="%2$sassets/icon.svg">
+      <link rel="stylesheet" href="%2$sassets/pages.css">
       <link rel="stylesheet" href="%2$sassets/site.css">
       <script src="%2$sassets/site.js" data-top="%2$s" defer></script>
       </head>

@@ -18,7 +18,8 @@ import java.util.stream.Stream;
  * calls it.
  */
 public final class Site {
-  private static final List<String> ASSETS = List.of("site.css", "site.js", "icon.svg");
+  private static final List<String> ASSETS =
+      List.of("pages.css", "site.css", "site.js", "icon.svg");
 
   /** Folders whose Markdown files are pages. */
   private static final List<String> FOLDERS = List.of("docs", "examples", "benchmarks", "python");
@@ -40,6 +41,7 @@ public final class Site {
       <!doctype html>
       <html lang="en"><head><meta charset="utf-8"><title>%1$s</title>
       <meta name="viewport" content="width=device-width, initial-scale=1">
+      <link rel="stylesheet" href="%2$sassets/pages.css">
       <link rel="stylesheet" href="%2$sassets/site.css"></head>
       <body><main><h1>%1$s</h1><ul>
       %3$s</ul></main></body></html>

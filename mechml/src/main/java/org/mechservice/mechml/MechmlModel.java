@@ -27,6 +27,7 @@ public final class MechmlModel {
   private final List<Diagnostic> warnings;
   private final Set<MessageCode> silenced;
   private final Map<String, List<Solid>> solids;
+  private final Map<String, List<Look>> looks;
 
   /** Kept, since it takes long to compute and all callers use the same one. */
   private Optional<ClosedStart> closedStart = Optional.empty();
@@ -45,6 +46,7 @@ public final class MechmlModel {
    * @param warnings diagnostics below errors, in file order, without the silenced ones
    * @param silenced warnings that are silenced
    * @param solids what the bodies consist of, by their names, in file order
+   * @param looks what the bodies are shown as, by their names, in file order
    */
   public MechmlModel(
       Mechanism mechanism,
@@ -56,7 +58,8 @@ public final class MechmlModel {
       List<String> unused,
       List<Diagnostic> warnings,
       Set<MessageCode> silenced,
-      Map<String, List<Solid>> solids) {
+      Map<String, List<Solid>> solids,
+      Map<String, List<Look>> looks) {
     this.mechanism = mechanism;
     this.inputCount = inputCount;
     this.settings = settings;
@@ -67,6 +70,7 @@ public final class MechmlModel {
     this.warnings = List.copyOf(warnings);
     this.silenced = Set.copyOf(silenced);
     this.solids = Map.copyOf(solids);
+    this.looks = Map.copyOf(looks);
   }
 
   /** Creates a model of whose bodies masses alone are known. */
@@ -90,6 +94,7 @@ public final class MechmlModel {
         unused,
         warnings,
         silenced,
+        Map.of(),
         Map.of());
   }
 
@@ -166,6 +171,11 @@ public final class MechmlModel {
     return solids.getOrDefault(body, List.of());
   }
 
+  /** Returns what a body is shown as, in file order; nothing if its solids say it. */
+  public List<Look> looks(String body) {
+    return looks.getOrDefault(body, List.of());
+  }
+
   /** Returns the model with an analysis in place of its chosen simulation. */
   public MechmlModel analysed(AnalysisKind kind) {
     RunSettings run = settings.run().withIntegrator(MethodNames.NONE);
@@ -198,7 +208,8 @@ public final class MechmlModel {
         unused,
         warnings,
         silenced,
-        solids);
+        solids,
+        looks);
   }
 
   /** Returns the mechanism with the events of the chosen simulation. */

@@ -53,6 +53,7 @@ final class ErrorPages {
     <meta name="viewport" content="width=device-width, initial-scale=1">
     <title>%s · MechAdmin</title>
     <link rel="icon" href="/page/icon.svg">
+    <link rel="stylesheet" href="/page/pages.css">
     <link rel="stylesheet" href="/page/style.css">
     </head>
     <body><main class="document">

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
@@ -14,6 +15,7 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.robot.ImportOptions;
 import org.mechservice.robot.RobotImport;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.ModelFiles;
 import org.mechservice.view.model.ModelScene;
@@ -53,6 +55,27 @@ public final class SceneReader {
       }
       MechmlModel model = MechmlReader.read(fileName, content, options);
       return ModelScene.of(model, MechmlReader.whole(fileName, content));
+    } catch (MechmlException e) {
+      throw new UsageException(String.valueOf(e.getMessage()));
+    }
+  }
+
+  /**
+   * Returns the groups of columns that a simulation of a model file asks for.
+   *
+   * @throws IOException if the file cannot be read
+   * @throws UsageException with the messages of the reader if it is no valid model
+   */
+  public static Set<ColumnGroup> columns(Path file, ReadOptions options) throws IOException {
+    try {
+      byte[] content = ModelFiles.inlined(Files.readAllBytes(file), file);
+      List<String> labels =
+          MechmlReader.read(String.valueOf(file.getFileName()), content, options)
+              .settings()
+              .columns();
+      return labels.contains("all")
+          ? EnumSet.allOf(ColumnGroup.class)
+          : labels.isEmpty() ? Set.of() : ColumnGroup.of(String.join(",", labels));
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }

@@ -35,6 +35,7 @@ import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.view.mesh.MeshFolder;
 import org.mechservice.view.player.AnimatedScene;
+import org.mechservice.view.player.Film;
 import org.mechservice.view.player.PlayerPage;
 import org.mechservice.view.player.Recording;
 import org.mechservice.view.player.Stage;
@@ -53,7 +54,8 @@ import picocli.CommandLine.Spec;
     description = "Runs a model, or takes its results, and writes a moving picture.",
     footer = {
       "mech view model.xml -o motion.html",
-      "mech view r.csv --model model.xml -o motion.glb"
+      "mech view r.csv --model model.xml -o motion.glb",
+      "mech view model.xml -o film.mp4 --size 1920x1080 --speed 0.5"
     },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
@@ -61,6 +63,12 @@ public final class ViewCommand implements Callable<Integer> {
   private static final String PAGE = ".html";
   private static final String GLTF = ".glb";
   private static final String NOTES = "notes";
+
+  /** A body that turns by more from one row to the next is recorded anew, rad. */
+  private static final double COARSE = Math.PI / 2;
+
+  /** By so much the fastest body turns then, rad. */
+  private static final double FINE = Math.PI / 6;
 
   /** A note on an event: time and name. */
   private static final Pattern EVENT =
@@ -76,10 +84,11 @@ public final class ViewCommand implements Callable<Integer> {
 
   @Option(
       names = {"-o", "--output"},
-      paramLabel = "FILE.html|glb",
+      paramLabel = "FILE.html|glb|mp4|webm|gif|png",
       description =
-          "The page to write, with a player that needs no network, or an animated scene for other"
-              + " programs; may be given several times.")
+          "The page to write, with a player that needs no network, an animated scene for other"
+              + " programs, a film, or a picture of one moment; may be given several times. Films"
+              + " and pictures need Chromium, films ffmpeg too.")
   private List<Path> targets = List.of();
 
   @Option(
@@ -97,6 +106,8 @@ public final class ViewCommand implements Callable<Integer> {
           "A parameter that gets a slider in the page of --live, beside those that the file says"
               + " are tunable; may be given several times.")
   private List<String> tunable = List.of();
+
+  @Mixin private FilmOptions film = new FilmOptions();
 
   @Option(
       names = "--model",
@@ -125,6 +136,7 @@ public final class ViewCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
+    film.film();
     targets.forEach(ViewCommand::requireFormat);
     live.ifPresent(ViewCommand::requireFormat);
     requireTarget();
@@ -160,13 +172,37 @@ public final class ViewCommand implements Callable<Integer> {
     Stage stage = new Stage(scene, new MeshFolder(folder));
     stage.warnings().forEach(warning -> err().println(warning));
     Recording recording = new Recording();
-    RunFacts told = results ? read(scene, file, recording) : run(recording);
+    RunFacts told =
+        results ? read(scene, file, recording) : run(recording, SimulationOptions.asInFile());
+    Optional<Recording.Turn> turn = recording.greatestTurn(scene);
+    if (!results
+        && told.status() == ExitStatus.DONE
+        && turn.map(Recording.Turn::angle).orElse(0.0) > COARSE) {
+      // rows of the file that are too far apart for the eye: again, with rows by the motion
+      double step = turn.get().step() * FINE / turn.get().angle();
+      recording = new Recording(step);
+      told = run(recording, SimulationOptions.asInFile().outputStep(step));
+      turn = recording.greatestTurn(scene);
+    }
+    turn.filter(most -> most.angle() > Math.PI).ifPresent(this::warnOfRows);
     if (recording.frameCount() > 0) {
       for (Path target : targets) {
-        OutputFile.write(target, content(target, scene, stage, recording, told));
+        write(target, scene, stage, recording, told);
       }
     }
     return told.status();
+  }
+
+  private void warnOfRows(Recording.Turn most) {
+    err()
+        .printf(
+            Locale.ROOT,
+            "body %s turns by %.3g turns from one row to the next, which is too far for the eye to"
+                + " follow: it may seem to turn backwards or slowly; take rows every %.2g s or"
+                + " closer (--t-step)%n",
+            most.body(),
+            most.angle() / (2 * Math.PI),
+            most.step() * FINE / most.angle());
   }
 
   private void requireTarget() {
@@ -197,21 +233,44 @@ public final class ViewCommand implements Callable<Integer> {
   }
 
   private static void requireFormat(Path target) {
-    if (!ending(target).endsWith(PAGE) && !ending(target).endsWith(GLTF)) {
+    boolean film = Film.is(target);
+    if (!film && !ending(target).endsWith(PAGE) && !ending(target).endsWith(GLTF)) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
               + " --output "
               + target
-              + ": moving pictures are written to .html and .glb files");
+              + ": moving pictures are written to .html, .glb, .mp4, .webm and .gif files, one"
+              + " moment to a .png file");
     }
     OutputFile.requireUsable(target);
+    if (film) {
+      Film.lacking(target)
+          .ifPresent(
+              what -> {
+                throw new UsageException(
+                    MessageCode.OPTION_UNUSABLE
+                        + " --output "
+                        + target
+                        + " needs "
+                        + what
+                        + "; install it, or write a .html or .glb file");
+              });
+    }
   }
 
-  private static byte[] content(
-      Path target, SceneDescription scene, Stage stage, Recording recording, RunFacts told) {
-    return ending(target).endsWith(GLTF)
-        ? AnimatedScene.write(scene, stage, recording)
-        : PlayerPage.write(scene, stage, recording, told.facts(), told.events());
+  private void write(
+      Path target, SceneDescription scene, Stage stage, Recording recording, RunFacts told)
+      throws IOException {
+    if (ending(target).endsWith(GLTF)) {
+      OutputFile.write(target, AnimatedScene.write(scene, stage, recording));
+      return;
+    }
+    byte[] page = PlayerPage.write(scene, stage, recording, told.facts(), told.events());
+    if (Film.is(target)) {
+      film.film().take(page, recording.time(0), recording.time(recording.frameCount() - 1), target);
+    } else {
+      OutputFile.write(target, page);
+    }
   }
 
   /** Takes the rows of a result file. */
@@ -244,12 +303,12 @@ public final class ViewCommand implements Callable<Integer> {
   }
 
   /** Runs the model. */
-  private RunFacts run(Recording recording) throws IOException {
+  private RunFacts run(Recording recording, SimulationOptions rows) throws IOException {
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         ServiceConnection service = ServiceConnection.open(server, userCode.consent());
         MechSession session = service.connection().openSession()) {
       session.loadModel(input, userCode.consent());
-      try (PreparedRun run = session.prepareRemoteRun(options())) {
+      try (PreparedRun run = session.prepareRemoteRun(options(rows))) {
         interrupt.cancels(run::cancel);
         RunResult result = run.toEnd(recording);
         return new RunFacts(
@@ -258,9 +317,8 @@ public final class ViewCommand implements Callable<Integer> {
     }
   }
 
-  private SimulationOptions options() {
-    SimulationOptions options =
-        tolerances.addTo(parameters.addTo(SimulationOptions.asInFile().columns(COLUMNS)));
+  private SimulationOptions options(SimulationOptions rows) {
+    SimulationOptions options = tolerances.addTo(parameters.addTo(rows.columns(COLUMNS)));
     return simulation.map(options::simulation).orElse(options);
   }
 

@@ -4,12 +4,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import org.mechservice.cli.shell.OutputFile;
-import org.mechservice.cli.shell.UsageException;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
-import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.view.mesh.MeshFolder;
 import org.mechservice.view.player.AnimatedScene;
 import org.mechservice.view.player.Recording;
@@ -46,23 +43,8 @@ final class AnimationFile implements ResultSink {
     return stage.warnings();
   }
 
-  /**
-   * {@inheritDoc}
-   *
-   * @throws UsageException S-044 if the columns do not say where the bodies are
-   */
   @Override
   public void begin(List<Variable> columns) {
-    Optional<String> missing = Recording.missing(scene, columns);
-    if (missing.isPresent()) {
-      throw new UsageException(
-          MessageCode.RESULT_FILE_NAME
-              + " --out "
-              + target
-              + " needs to know where the bodies are, and there is no column \""
-              + missing.get()
-              + "\"; add the columns of the bodies: --columns bodies");
-    }
     recording.begin(columns);
   }
 

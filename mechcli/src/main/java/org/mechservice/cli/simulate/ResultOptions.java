@@ -57,7 +57,7 @@ final class ResultOptions {
       description = {
         "Write the rows here; may be given several times. The name ends in .csv or .tsv (units"
             + " beside it), .json, .mat or .parquet (units inside); or in .glb for an animated"
-            + " scene, which needs the columns of the bodies.",
+            + " scene, to which the columns of the bodies are added.",
         "With - the rows go to standard output as CSV, and the report to standard error."
       })
   private List<Path> out = List.of();

@@ -3,6 +3,7 @@ package org.mechservice.cli.simulate;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -194,16 +195,21 @@ public final class SimulateCommand implements Callable<Integer> {
     return animations;
   }
 
-  /** If animated scenes alone are written, the columns are theirs. */
-  private SimulationOptions options() {
-    boolean poses =
-        !results.files().isEmpty() && results.animated().size() == results.files().size();
-    SimulationOptions asked =
-        poses
-            ? SimulationOptions.asInFile().columns(Set.of(ColumnGroup.BODIES))
-            : SimulationOptions.asInFile();
-    SimulationOptions options = run.addTo(method.addTo(parameters.addTo(asked)));
-    SimulationOptions watched = maxDrift.map(options::maxDrift).orElse(options);
+  /** Animated scenes need the columns of the bodies; alone, they need no others. */
+  private SimulationOptions options() throws IOException {
+    SimulationOptions options =
+        run.addTo(method.addTo(parameters.addTo(SimulationOptions.asInFile())));
+    if (!results.animated().isEmpty()) {
+      Set<ColumnGroup> groups = EnumSet.of(ColumnGroup.BODIES);
+      if (options.columnGroups().isPresent()) {
+        groups.addAll(options.columnGroups().get());
+      } else if (results.animated().size() < results.files().size()) {
+        groups.addAll(SceneReader.columns(model, method.reading(parameters.values())));
+      }
+      options = options.columns(groups);
+    }
+    SimulationOptions all = options;
+    SimulationOptions watched = maxDrift.map(all::maxDrift).orElse(all);
     return strict ? watched.strict() : watched;
   }
 

@@ -121,6 +121,59 @@ class PlayerInBrowserTest {
   }
 
   @Test
+  void bodiesAreChosenHiddenAndMeasuredByTheKeyboard() throws Exception {
+    Chromium browser = BROWSER.get();
+    Path page = view(Path.of("..", "examples", "pendulum", "pendulum.xml"));
+    browser.open(page);
+    browser.press(" ");
+    browser.press("n");
+    browser.press("n");
+    assertThat(browser.text("readout")).contains("bar2", "1 kg", "kinetic energy");
+    browser.press("h");
+    assertThat(browser.evaluate("document.querySelector('[data-act=hide]').ariaPressed"))
+        .hasToString("\"true\"");
+    browser.press("a");
+    assertThat(browser.evaluate("document.querySelector('[data-act=hide]').ariaPressed"))
+        .hasToString("\"false\"");
+    // from a point of the first bar to one a metre further on it
+    browser.evaluate("mechPlayer.addMeasure('distance', [[0, 0, 0, 0], [0, 1, 0, 0]])");
+    assertThat(browser.numbers("mechPlayer.measures()")[0]).isCloseTo(1, offset(1e-6));
+    browser.press("Escape");
+    assertThat(browser.numbers("[mechPlayer.selected()]")[0]).isNegative();
+    requireQuiet(browser, page);
+  }
+
+  /** Reactions across the plane of a planar mechanism are zeros but for rounding. */
+  @Test
+  void curveOfRoundingAloneIsDrawnAsZero() throws Exception {
+    Chromium browser = BROWSER.get();
+    Path page = view(Path.of("..", "examples", "benchmarks", "slider_crank_planar.xml"));
+    browser.open(page);
+    browser.evaluate(
+        "{ const box = [...document.querySelectorAll('#columns input')]"
+            + ".find(one => /\\.fy$/.test(one.ariaLabel));"
+            + " [...document.querySelectorAll('#tree > button')][0].click(); box.click(); }");
+    double[] range = browser.numbers("mechPlayer.ranges().at(-1)");
+    assertThat(range[0]).isLessThanOrEqualTo(-1);
+    assertThat(range[1]).isGreaterThanOrEqualTo(1);
+    requireQuiet(browser, page);
+  }
+
+  @Test
+  void thousandBodiesAreDrawnByAFewCalls() throws Exception {
+    Chromium browser = BROWSER.get();
+    Path page = view(Path.of("..", "examples", "extremes", "chain_1000.xml"));
+    browser.open(page);
+    browser.waitFor("mechPlayer.frameTimes().length > 3");
+    double[] calls = browser.numbers("[mechPlayer.drawn().calls]");
+    assertThat(calls[0]).isBetween(2.0, 40.0);
+    double[] times = browser.numbers("mechPlayer.frameTimes()");
+    Arrays.sort(times);
+    System.out.printf("1000 bodies: a frame takes %.1f ms in software%n", times[times.length / 2]);
+    requireQuiet(browser, page);
+  }
+
+  @Test
   void pageWithTheModelInItRunsItAgainWhenASliderMoves() throws Exception {
     Chromium browser = BROWSER.get();
     Path page = live(Path.of("..", "examples", "pendulum", "pendulum.xml"));

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -36,12 +37,25 @@ class WebInBrowserTest {
 
   @RegisterExtension static final InstalledBrowser BROWSER = new InstalledBrowser();
   private static ServiceConnection service;
-  private static UserWeb web;
   private static String pendulum = "";
 
   @BeforeAll
   static void start() throws Exception {
     service = ServiceConnection.open(new ServerOption(), 4, UserCode.NONE);
+    pendulum = Files.readString(Path.of("..", "examples", "pendulum", "pendulum.xml"));
+  }
+
+  @AfterAll
+  static void end() throws Exception {
+    service.close();
+  }
+
+  private Chromium browser;
+  private UserWeb web;
+
+  @BeforeEach
+  void openPage() throws Exception {
+    browser = BROWSER.get();
     web =
         new UserWeb(
             service.connection(),
@@ -50,22 +64,13 @@ class WebInBrowserTest {
             Map.of("small", "<MechML/>"),
             Document.dtd(),
             0);
-    pendulum = Files.readString(Path.of("..", "examples", "pendulum", "pendulum.xml"));
-  }
-
-  @AfterAll
-  static void end() throws Exception {
-    web.close();
-    service.close();
-  }
-
-  private Chromium browser;
-
-  @BeforeEach
-  void openPage() throws Exception {
-    browser = BROWSER.get();
     browser.look(1280, 900, false);
     browser.open(web.url(), "document.getElementById('server').textContent !== ''");
+  }
+
+  @AfterEach
+  void closePage() {
+    web.close();
   }
 
   private static String quoted(String text) {
@@ -211,6 +216,36 @@ class WebInBrowserTest {
     assertThat(browser.problems()).isEmpty();
     write("<");
     assertThat(browser.accessibilityFindings()).isEmpty();
+  }
+
+  @Test
+  void modelOfAFolderFindsItsFilesAndRunsOutlastThePage() throws Exception {
+    String table = Files.readString(Path.of("..", "examples", "elements", "table.xml"));
+    browser.evaluate(
+        "{ const d = new DataTransfer(); d.items.add(new File(["
+            + quoted(Files.readString(Path.of("..", "examples", "elements", "pulse.csv")))
+            + "], 'pulse.csv')); d.items.add(new File(["
+            + quoted(table)
+            + "], 'table.xml')); document.body.dispatchEvent(new DragEvent('drop',"
+            + " { dataTransfer: d, bubbles: true, cancelable: true })); }");
+    browser.waitFor("document.getElementById('messages').children.length > 0");
+    assertThat(browser.text("messages")).contains("The model can be used.");
+    assertThat(browser.text("attached")).contains("pulse.csv");
+    click("run");
+    waitForState("Run 1: done");
+    browser.open(web.url(), "document.getElementById('history').children.length === 1");
+    waitForState("Run 1: done");
+    assertThat(browser.problems()).isEmpty();
+  }
+
+  @Test
+  void messagesBelongToTheTextThatIsShown() throws Exception {
+    drop("bad.xml", pendulum.replaceFirst("<body name=\"bar2\"", "<body nmae=\"bar2\""));
+    assertThat(browser.text("messages")).contains("nmae");
+    type("text", pendulum);
+    assertThat(browser.text("messages")).isEqualTo("The text has changed since it was checked.");
+    assertThat(browser.evaluate("document.getElementById('drawing').hidden").getAsBoolean())
+        .isTrue();
   }
 
   @Test

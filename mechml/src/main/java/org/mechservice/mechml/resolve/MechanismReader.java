@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.mechservice.mechml.Look;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
@@ -129,6 +130,17 @@ final class MechanismReader {
       }
     }
     return solids;
+  }
+
+  /** Returns the looks of the bodies that have some, by the bodies' names. */
+  Map<String, List<Look>> looks() {
+    Map<String, List<Look>> looks = new HashMap<>();
+    for (BodyDefinition body : names.bodies()) {
+      if (!body.looks().isEmpty()) {
+        looks.put(body.name(), body.looks());
+      }
+    }
+    return looks;
   }
 
   private static List<BodyDefinition> bodies(

@@ -89,7 +89,8 @@ public final class ModelResolver {
             .filter(said -> said.severity() == Severity.ERROR || !silenced.contains(said.code()))
             .toList(),
         silenced,
-        reader.get().solids());
+        reader.get().solids(),
+        reader.get().looks());
   }
 
   /** Returns what becomes of inputs: a linearisation varies them, also those with a table. */

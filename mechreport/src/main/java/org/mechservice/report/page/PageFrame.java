@@ -22,7 +22,7 @@ public final class PageFrame {
         + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
         + Html.escape(title)
         + "</title>\n<style>"
-        + own("page.css")
+        + style()
         + "</style></head><body><main>\n"
         + content
         + "</main>\n<div id=\"hover\"></div>\n<script>"
@@ -36,10 +36,15 @@ public final class PageFrame {
    */
   public static String policy() {
     return "default-src 'none'; style-src "
-        + digest(own("page.css"))
+        + digest(style())
         + "; script-src "
         + digest(own("page.js"))
         + "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+  }
+
+  /** Returns the style of all pages with that of reports. */
+  private static String style() {
+    return own("pages.css") + resource("page.css");
   }
 
   /** Returns the text of a style or script element. */
@@ -58,7 +63,7 @@ public final class PageFrame {
         "<svg class=\"chart\"([^>]*)>",
         java.util.regex.Matcher.quoteReplacement("<svg xmlns=\"http://www.w3.org/2000/svg\"")
             + "$1 class=\"chart\"><style>"
-            + java.util.regex.Matcher.quoteReplacement(resource("page.css"))
+            + java.util.regex.Matcher.quoteReplacement(style())
             + "</style><rect width=\"100%\" height=\"100%\" style=\"fill:var(--page)\"/>");
   }
 

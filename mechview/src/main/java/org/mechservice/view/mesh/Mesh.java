@@ -54,11 +54,12 @@ public final class Mesh {
     return new Mesh(moved, triangles, colour, opacity);
   }
 
-  /** Returns the surface larger or smaller about the origin of its axes. */
-  public Mesh scaled(double factor) {
+  /** Returns the surface with each coordinate larger or smaller by its own factor. */
+  public Mesh scaled(Point3 factors) {
+    double[] factor = {factors.x(), factors.y(), factors.z()};
     float[] scaled = new float[corners.length];
     for (int i = 0; i < corners.length; i++) {
-      scaled[i] = (float) (factor * corners[i]);
+      scaled[i] = (float) (factor[i % 3] * corners[i]);
     }
     return new Mesh(scaled, triangles, colour, opacity);
   }

@@ -7,8 +7,8 @@ import org.mechservice.view.scene.Point3;
 
 /** Simple solids as surfaces; round ones have a fixed number of faces. */
 public final class Solids {
-  private static final int AROUND = 24;
-  private static final int ALONG = 12;
+  private static final int AROUND = 36;
+  private static final int ALONG = 18;
 
   private Solids() {}
 
@@ -67,15 +67,128 @@ public final class Solids {
     return turned(new double[][] {{inner, -h}, {outer, -h}, {outer, h}, {inner, h}, {inner, -h}});
   }
 
-  /** Returns a cylinder between two points; empty if they coincide. */
-  public static List<Mesh> rod(Point3 from, Point3 to, double radius) {
-    Point3 along = to.minus(from);
-    double length = along.norm();
-    if (!(length > 0)) {
-      return List.of();
+  /** Returns a box about the origin with these edges, which are broken a little, m. */
+  public static Mesh block(Point3 edges) {
+    double[] half = {edges.x() / 2, edges.y() / 2, edges.z() / 2};
+    double bevel = 0.08 * Math.min(half[0], Math.min(half[1], half[2]));
+    // three corners for each of the box: corner 3 i + a lies on the face across axis a
+    float[] corners = new float[72];
+    for (int i = 0; i < 8; i++) {
+      for (int face = 0; face < 3; face++) {
+        for (int axis = 0; axis < 3; axis++) {
+          double size = axis == face ? half[axis] : half[axis] - bevel;
+          corners[3 * (3 * i + face) + axis] = (float) ((i >> axis & 1) == 0 ? -size : size);
+        }
+      }
     }
-    Point3 middle = from.plus(to).times(0.5);
-    return List.of(cylinder(radius, length).moved(zAlong(along.times(1 / length), middle)));
+    List<Integer> triangles = new ArrayList<>();
+    for (int axis = 0; axis < 3; axis++) {
+      int u = (axis + 1) % 3;
+      int v = (axis + 2) % 3;
+      for (int side = 0; side < 2; side++) {
+        int i = side << axis;
+        quad(
+            triangles,
+            3 * i + axis,
+            3 * (i | 1 << u) + axis,
+            3 * (i | 1 << u | 1 << v) + axis,
+            3 * (i | 1 << v) + axis);
+      }
+      for (int edge = 0; edge < 4; edge++) {
+        int i = (edge & 1) << u | (edge >> 1) << v;
+        int j = i | 1 << axis;
+        quad(triangles, 3 * i + u, 3 * j + u, 3 * j + v, 3 * i + v);
+      }
+    }
+    for (int i = 0; i < 8; i++) {
+      triangles.addAll(List.of(3 * i, 3 * i + 1, 3 * i + 2));
+    }
+    return Mesh.of(corners, triangles.stream().mapToInt(Integer::intValue).toArray());
+  }
+
+  private static void quad(List<Integer> triangles, int a, int b, int c, int d) {
+    triangles.addAll(List.of(a, b, c, a, c, d));
+  }
+
+  /** Returns the rubber of a tyre about the z axis, with round shoulders, m. */
+  public static Mesh tyre(double radius, double width) {
+    double h = width / 2;
+    double inner = 0.64 * radius;
+    double wall = radius - inner;
+    List<double[]> outline = new ArrayList<>(List.of(new double[] {inner, -0.8 * h}));
+    for (int i = 0; i <= 8; i++) {
+      double angle = Math.PI * (i / 8.0 - 0.5);
+      double across = Math.signum(Math.sin(angle)) * Math.pow(Math.abs(Math.sin(angle)), 0.7);
+      double up = Math.pow(Math.abs(Math.cos(angle)), 0.5);
+      outline.add(new double[] {radius - 0.45 * wall * (1 - up), h * across});
+    }
+    outline.add(new double[] {inner, 0.8 * h});
+    outline.add(new double[] {inner, -0.8 * h});
+    return turned(outline.toArray(new double[0][]));
+  }
+
+  /**
+   * Returns a wheel with a groove along its rim about the z axis, m; the rope runs at the radius.
+   */
+  public static Mesh pulley(double radius, double width) {
+    double h = width / 2;
+    return turned(
+        new double[][] {
+          {0, -0.45 * h},
+          {0.22 * radius, -0.45 * h},
+          {0.22 * radius, -h},
+          {0.3 * radius, -h},
+          {0.3 * radius, -0.35 * h},
+          {0.8 * radius, -0.35 * h},
+          {0.84 * radius, -h},
+          {1.08 * radius, -h},
+          {radius, -0.35 * h},
+          {radius, 0.35 * h},
+          {1.08 * radius, h},
+          {0.84 * radius, h},
+          {0.8 * radius, 0.35 * h},
+          {0.3 * radius, 0.35 * h},
+          {0.3 * radius, h},
+          {0.22 * radius, h},
+          {0.22 * radius, 0.45 * h},
+          {0, 0.45 * h}
+        });
+  }
+
+  /**
+   * Returns a spur gear about the z axis, m.
+   *
+   * @param radius of the pitch circle
+   * @param teeth at least 6
+   */
+  public static Mesh gear(double radius, double width, int teeth) {
+    double module = 2 * radius / teeth;
+    double root = radius - 1.1 * module;
+    double tip = radius + 0.9 * module;
+    double[][] profile = {{root, 0}, {root, 0.22}, {tip, 0.36}, {tip, 0.64}, {root, 0.78}};
+    double bore = 0.25 * radius;
+    int around = teeth * profile.length;
+    float[] corners = new float[12 * around];
+    List<Integer> faces = new ArrayList<>();
+    for (int j = 0; j < around; j++) {
+      double[] at = profile[j % profile.length];
+      int tooth = j / profile.length;
+      double angle = 2 * Math.PI * (tooth + at[1]) / teeth;
+      double[] radii = {at[0], at[0], bore, bore};
+      for (int k = 0; k < 4; k++) {
+        int i = 3 * (4 * j + k);
+        corners[i] = (float) (radii[k] * Math.cos(angle));
+        corners[i + 1] = (float) (radii[k] * Math.sin(angle));
+        corners[i + 2] = (float) (k % 2 == 0 ? -width / 2 : width / 2);
+      }
+      int a = 4 * j;
+      int b = 4 * ((j + 1) % around);
+      quad(faces, a, b, b + 1, a + 1);
+      quad(faces, a + 2, a + 3, b + 3, b + 2);
+      quad(faces, a, a + 2, b + 2, b);
+      quad(faces, a + 1, b + 1, b + 3, a + 3);
+    }
+    return Mesh.of(corners, faces.stream().mapToInt(Integer::intValue).toArray());
   }
 
   /**

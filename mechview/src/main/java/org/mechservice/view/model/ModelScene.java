@@ -42,11 +42,13 @@ public final class ModelScene {
         parts.rootPose(),
         geometries.getOrDefault(mechanism.root().name(), ""),
         SceneParts.solids(model.solids(mechanism.root().name())),
+        SceneParts.looks(model.looks(mechanism.root().name())),
         SceneParts.point(mechanism.gravity()),
         parts.bodies(geometries, model),
         parts.joints(),
         parts.constraints(),
         parts.forces(),
+        new SceneGears(mechanism, parts).all(),
         verdict);
   }
 

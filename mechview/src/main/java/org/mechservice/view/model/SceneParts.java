@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import org.mechservice.mechml.Look;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.Solid;
 import org.mechservice.solver.expression.BodyPoint;
@@ -49,6 +50,7 @@ import org.mechservice.view.scene.SceneBody;
 import org.mechservice.view.scene.SceneConstraint;
 import org.mechservice.view.scene.SceneForce;
 import org.mechservice.view.scene.SceneJoint;
+import org.mechservice.view.scene.SceneLook;
 import org.mechservice.view.scene.SceneSolid;
 
 /** Translates the parts of a mechanism in one position to the parts of a scene. */
@@ -86,7 +88,8 @@ final class SceneParts {
     return pose(Mechanism.ROOT);
   }
 
-  private BodyPose pose(int body) {
+  /** Returns where a body is. */
+  BodyPose pose(int body) {
     double[] rotation = body == Mechanism.ROOT ? tree.rootRotation : motion.worldRotation;
     int link = tree.linkOf(body);
     double[] r = new double[3];
@@ -111,7 +114,8 @@ final class SceneParts {
               point(body.centerOfMass()),
               List.of(i.xx(), i.yy(), i.zz(), i.xy(), i.xz(), i.yz()),
               geometries.getOrDefault(body.name(), ""),
-              solids(model.solids(body.name()))));
+              solids(model.solids(body.name())),
+              looks(model.looks(body.name()))));
     }
     return bodies;
   }
@@ -119,6 +123,21 @@ final class SceneParts {
   /** Translates the solids of a body. */
   static List<SceneSolid> solids(List<Solid> solids) {
     return solids.stream().map(SceneParts::solid).toList();
+  }
+
+  /** Translates the looks of a body. */
+  static List<SceneLook> looks(List<Look> looks) {
+    return looks.stream().map(SceneParts::look).toList();
+  }
+
+  private static SceneLook look(Look look) {
+    double half = look.angle() / 2;
+    Point3 e = point(look.axis()).times(Math.sin(half));
+    return new SceneLook(
+        solids(look.solids()),
+        new BodyPose(point(look.origin()), Math.cos(half), e.x(), e.y(), e.z()),
+        look.colour().orElse(SceneLook.NO_COLOUR),
+        look.opacity());
   }
 
   private static SceneSolid solid(Solid solid) {
@@ -147,7 +166,7 @@ final class SceneParts {
     return joints;
   }
 
-  private static SceneJoint joint(Joint joint, boolean cut, boolean driven) {
+  static SceneJoint joint(Joint joint, boolean cut, boolean driven) {
     Attachment at = joint.attachment();
     List<Vector3> axes = parentAxisFirst(joint);
     return new SceneJoint(

@@ -7,7 +7,9 @@ import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.IntFunction;
@@ -43,7 +45,13 @@ public final class AnimatedScene {
   private final JsonArray samplers = new JsonArray();
   private final JsonArray channels = new JsonArray();
   private final Map<String, Integer> materialOf = new HashMap<>();
+  private final Map<Strut.Kind, Mesh> linkSurfaces = new EnumMap<>(Strut.Kind.class);
+  private final IdentityHashMap<Mesh, JsonObject> surfaces = new IdentityHashMap<>();
+  private final Map<Drawn, Integer> meshOf = new HashMap<>();
   private int times;
+
+  /** A surface in a material; shapes that share both share a mesh of the file. */
+  private record Drawn(int position, int material) {}
 
   private AnimatedScene(SceneDescription scene, Stage stage, Recording recording) {
     this.scene = scene;
@@ -178,10 +186,14 @@ public final class AnimatedScene {
     node.add("rotation", numbers(rotation(start)));
     JsonArray children = new JsonArray();
     for (Part part : stage.parts()) {
-      if (part.body() == body) {
+      if (part.body() == body && part.role() != Part.Role.INERTIA) {
         JsonObject child = new JsonObject();
         child.addProperty("name", part.name());
-        child.addProperty("mesh", mesh(part.name(), part.mesh(), part.colour()));
+        Shape shape = part.shape();
+        child.addProperty("mesh", mesh(part.name(), shape.mesh(), part.colour(), part.opacity()));
+        child.add("translation", numbers(vector(shape.at().position())));
+        child.add("rotation", numbers(rotation(shape.at())));
+        child.add("scale", numbers(vector(shape.scale())));
         JsonObject extras = new JsonObject();
         extras.addProperty("role", part.role().name().toLowerCase(Locale.ROOT));
         child.add("extras", extras);
@@ -199,8 +211,10 @@ public final class AnimatedScene {
   private int link(Strut link) {
     JsonObject node = new JsonObject();
     node.addProperty("name", link.name());
-    double radius = (link.kind() == Strut.Kind.ROD ? 0.01 : 0.006) * stage.extent();
-    node.addProperty("mesh", mesh(link.name(), Solids.cylinder(radius, 1), link.kind().colour()));
+    Mesh rod =
+        linkSurfaces.computeIfAbsent(
+            link.kind(), kind -> Solids.cylinder(kind.width() * stage.extent(), 1));
+    node.addProperty("mesh", mesh(link.name(), rod, link.kind().colour(), 1));
     nodes.add(node);
     int index = nodes.size() - 1;
     animate(index, "translation", 3, frame -> vector(middle(frame, link)));
@@ -305,7 +319,25 @@ public final class AnimatedScene {
     channels.add(channel);
   }
 
-  private int mesh(String name, Mesh mesh, int colour) {
+  private int mesh(String name, Mesh mesh, int colour, double opacity) {
+    JsonObject surface = surfaces.computeIfAbsent(mesh, this::surface);
+    int material = material(colour, opacity);
+    JsonObject primitive = surface.deepCopy();
+    primitive.addProperty("material", material);
+    int position = primitive.getAsJsonObject("attributes").get("POSITION").getAsInt();
+    return meshOf.computeIfAbsent(
+        new Drawn(position, material),
+        key -> {
+          JsonObject one = new JsonObject();
+          one.addProperty("name", name);
+          one.add("primitives", single(primitive));
+          meshes.add(one);
+          return meshes.size() - 1;
+        });
+  }
+
+  /** Writes a surface and returns where it is. */
+  private JsonObject surface(Mesh mesh) {
     float[] corners = mesh.corners();
     ByteBuffer positions = buffer(corners.length);
     float[] least = {Float.MAX_VALUE, Float.MAX_VALUE, Float.MAX_VALUE};
@@ -326,17 +358,12 @@ public final class AnimatedScene {
     }
     JsonObject attributes = new JsonObject();
     attributes.addProperty("POSITION", position);
-    JsonObject primitive = new JsonObject();
-    primitive.add("attributes", attributes);
-    primitive.addProperty(
+    JsonObject surface = new JsonObject();
+    surface.add("attributes", attributes);
+    surface.addProperty(
         "indices",
         accessor(indices, ELEMENT_ARRAY_BUFFER, UNSIGNED_INT, "SCALAR", triangles.length));
-    primitive.addProperty("material", material(colour, mesh.opacity()));
-    JsonObject one = new JsonObject();
-    one.addProperty("name", name);
-    one.add("primitives", single(primitive));
-    meshes.add(one);
-    return meshes.size() - 1;
+    return surface;
   }
 
   private int material(int colour, double opacity) {

@@ -19,48 +19,54 @@ final class BodySurfaces {
   private static final double THINNEST = 0.003;
 
   private final MeshFolder folder;
+  private final Shapes shapes;
   private final double extent;
 
-  BodySurfaces(MeshFolder folder, double extent) {
+  BodySurfaces(MeshFolder folder, Shapes shapes, double extent) {
     this.folder = folder;
+    this.shapes = shapes;
     this.extent = extent;
   }
 
   /**
-   * Returns the surfaces of a solid, in body axes, m.
+   * Returns the shapes of a solid, in body axes, m.
    *
    * @throws MeshException if its file cannot be shown
    */
-  List<Mesh> of(SceneSolid solid) throws MeshException {
+  List<Shape> of(SceneSolid solid) throws MeshException {
     double least = THINNEST * extent;
     if (solid instanceof SceneSolid.Block block) {
       Point3 edges = block.edges();
-      Mesh mesh =
-          Solids.box(
-              Math.max(2 * least, edges.x()),
-              Math.max(2 * least, edges.y()),
-              Math.max(2 * least, edges.z()));
-      return List.of(mesh.moved(at(block.center())));
+      return List.of(
+          shapes.block(
+              Shapes.at(block.center()),
+              new Point3(
+                  Math.max(2 * least, edges.x()),
+                  Math.max(2 * least, edges.y()),
+                  Math.max(2 * least, edges.z()))));
     } else if (solid instanceof SceneSolid.Ball ball) {
-      return List.of(Solids.sphere(Math.max(least, ball.radius())).moved(at(ball.center())));
+      return List.of(shapes.ball(ball.center(), Math.max(least, ball.radius())));
     } else if (solid instanceof SceneSolid.Surface surface) {
-      List<Mesh> meshes = new ArrayList<>();
+      double s = surface.scale();
+      List<Shape> read = new ArrayList<>();
       for (Mesh mesh : folder.read(surface.file())) {
-        meshes.add(mesh.scaled(surface.scale()).moved(at(surface.origin())));
+        read.add(new Shape(mesh, Shapes.at(surface.origin()), new Point3(s, s, s)));
       }
-      return meshes;
+      return read;
     }
     SceneSolid.Round round = (SceneSolid.Round) solid;
     Point3 along = round.to().minus(round.from());
     double length = along.norm();
     double radius = Math.max(least, round.radius());
     boolean straight = round.radius() == round.top();
-    Mesh mesh =
-        straight && round.inner() > 0
-            ? Solids.tube(round.inner(), radius, length)
-            : Solids.frustum(radius, straight ? radius : round.top(), length);
-    Point3 middle = round.from().plus(along.times(0.5));
-    return List.of(mesh.moved(Solids.zAlong(along.times(1 / length), middle)));
+    BodyPose middle = Solids.zAlong(along.times(1 / length), round.from().plus(along.times(0.5)));
+    if (straight) {
+      return List.of(
+          round.inner() > 0
+              ? shapes.tube(middle, round.inner(), radius, length)
+              : shapes.cylinder(middle, radius, length));
+    }
+    return List.of(shapes.frustum(middle, radius, round.top(), length));
   }
 
   /**
@@ -91,12 +97,33 @@ final class BodySurfaces {
     return 0;
   }
 
+  /** Returns the middle of a solid; of a surface from a file, its origin. */
+  static Point3 centre(SceneSolid solid) {
+    if (solid instanceof SceneSolid.Block block) {
+      return block.center();
+    } else if (solid instanceof SceneSolid.Ball ball) {
+      return ball.center();
+    } else if (solid instanceof SceneSolid.Round round) {
+      return round.from().plus(round.to()).times(0.5);
+    }
+    return ((SceneSolid.Surface) solid).origin();
+  }
+
+  /** Returns the largest measure of a solid, m; 0 of a surface from a file. */
+  static double size(SceneSolid solid) {
+    if (solid instanceof SceneSolid.Block block) {
+      return block.edges().norm();
+    } else if (solid instanceof SceneSolid.Ball ball) {
+      return 2 * ball.radius();
+    } else if (solid instanceof SceneSolid.Round round) {
+      return Math.hypot(
+          round.to().minus(round.from()).norm(), 2 * Math.max(round.radius(), round.top()));
+    }
+    return 0;
+  }
+
   /** Returns by how much a number is beyond a bound in either direction. */
   private static double beyond(double value, double bound) {
     return Math.max(0, Math.abs(value) - bound);
-  }
-
-  private static BodyPose at(Point3 point) {
-    return new BodyPose(point, 1, 0, 0, 0);
   }
 }

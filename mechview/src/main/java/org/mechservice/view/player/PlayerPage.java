@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Base64;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -31,7 +32,7 @@ import org.mechservice.view.scene.SceneJoint;
 public final class PlayerPage {
   /** The page's program, each module after those that it needs. */
   private static final List<String> MODULES =
-      List.of("space", "recording", "camera", "canvas3d", "curves", "player");
+      List.of("space", "recording", "surface", "scene", "curves", "player");
 
   /** The function that begins the program: with a recorded run, or with a model in the page. */
   private static final String RECORDED = "main";
@@ -115,10 +116,12 @@ public final class PlayerPage {
    * @param allowed what the program may do besides, as words of the page's policy
    */
   private byte[] page(JsonObject data, String begin, String allowed) {
-    String style = resource("player.css");
+    String style = resource("/org/mechservice/orb/http/pages.css") + resource("player.css");
     String script =
-        Stream.concat(MODULES.stream(), Stream.of(begin))
-            .map(PlayerPage::module)
+        Stream.concat(
+                Stream.of(inPage(ThreeLibrary.module())),
+                Stream.concat(MODULES.stream(), Stream.of(begin))
+                    .map(name -> inPage(resource(name + ".js"))))
             .collect(Collectors.joining("\n"));
     String page =
         resource("player.html")
@@ -151,10 +154,10 @@ public final class PlayerPage {
   }
 
   /** Returns a module's text without the lines that join modules: the page has them all in one. */
-  private static String module(String name) {
-    return resource(name + ".js")
+  private static String inPage(String module) {
+    return module
         .lines()
-        .filter(line -> !line.startsWith("import "))
+        .filter(line -> !line.startsWith("import ") && !line.startsWith("export {"))
         .map(line -> line.startsWith("export ") ? line.substring("export ".length()) : line)
         .collect(Collectors.joining("\n"));
   }
@@ -185,12 +188,18 @@ public final class PlayerPage {
     for (int i = 0; i < scene.bodies().size(); i++) {
       JsonObject body = named(scene.bodies().get(i).name());
       body.addProperty("pose", place(scene.bodies().get(i).name() + ".x"));
+      body.addProperty("speed", place(scene.bodies().get(i).name() + ".vx"));
       body.addProperty("colour", Stage.colour(i));
+      body.add("start", pose(scene.bodies().get(i).pose()));
       body.add("centre", array(scene.bodies().get(i).centreOfMass()));
+      body.addProperty("mass", scene.bodies().get(i).mass());
+      JsonArray inertia = new JsonArray();
+      scene.bodies().get(i).inertia().forEach(inertia::add);
+      body.add("inertia", inertia);
       bodies.add(body);
     }
     data.add("bodies", bodies);
-    data.add("parts", parts());
+    parts(data);
     data.add("links", links());
     data.add("joints", joints());
     data.add("forces", forces());
@@ -323,28 +332,52 @@ public final class PlayerPage {
     return Base64.getEncoder().encodeToString(content(bytes));
   }
 
-  private JsonArray parts() {
+  /** Tells the surfaces, each once, and the parts that they are drawn as. */
+  private void parts(JsonObject data) {
+    JsonArray meshes = new JsonArray();
     JsonArray parts = new JsonArray();
+    IdentityHashMap<Mesh, Integer> known = new IdentityHashMap<>();
     for (Part part : stage.parts()) {
-      Mesh mesh = part.mesh();
+      Shape shape = part.shape();
+      Integer place = known.get(shape.mesh());
+      if (place == null) {
+        place = meshes.size();
+        known.put(shape.mesh(), place);
+        meshes.add(surface(shape.mesh()));
+      }
       JsonObject one = named(part.name());
+      one.addProperty("mesh", place);
       one.addProperty("body", part.body());
       one.addProperty("role", part.role().name());
       one.addProperty("colour", part.colour());
-      one.addProperty("opacity", mesh.opacity());
-      ByteBuffer corners = floats(3 * mesh.cornerCount());
-      for (float number : mesh.corners()) {
-        corners.putFloat(number);
-      }
-      one.addProperty("corners", base64(corners));
-      ByteBuffer triangles = floats(3 * mesh.triangleCount());
-      for (int corner : mesh.triangles()) {
-        triangles.putInt(corner);
-      }
-      one.addProperty("triangles", base64(triangles));
+      one.addProperty("opacity", part.opacity());
+      one.addProperty("finish", part.finish().name());
+      JsonArray at = array(shape.at().position());
+      at.add(shape.at().e0());
+      at.add(shape.at().e1());
+      at.add(shape.at().e2());
+      at.add(shape.at().e3());
+      one.add("at", at);
+      one.add("scale", array(shape.scale()));
       parts.add(one);
     }
-    return parts;
+    data.add("meshes", meshes);
+    data.add("parts", parts);
+  }
+
+  private static JsonObject surface(Mesh mesh) {
+    JsonObject one = new JsonObject();
+    ByteBuffer corners = floats(3 * mesh.cornerCount());
+    for (float number : mesh.corners()) {
+      corners.putFloat(number);
+    }
+    one.addProperty("corners", base64(corners));
+    ByteBuffer triangles = floats(3 * mesh.triangleCount());
+    for (int corner : mesh.triangles()) {
+      triangles.putInt(corner);
+    }
+    one.addProperty("triangles", base64(triangles));
+    return one;
   }
 
   private JsonArray links() {
@@ -353,6 +386,7 @@ public final class PlayerPage {
       JsonObject one = named(link.name());
       one.addProperty("kind", link.kind().name());
       one.addProperty("colour", link.kind().colour());
+      one.addProperty("width", link.kind().width());
       one.add("from", array(link.from()));
       one.add("to", array(link.to()));
       one.addProperty("tension", place(link.name() + ".tension"));
@@ -391,6 +425,7 @@ public final class PlayerPage {
       one.add("direction", array(direction));
       one.addProperty("inBodyAxes", force.inBodyAxes());
       one.addProperty("radius", force.radius());
+      one.add("axle", array(force.axle()));
       one.addProperty("force", place(force.name() + ".fx"));
       one.addProperty("normal", place(force.name() + ".normal"));
       forces.add(one);

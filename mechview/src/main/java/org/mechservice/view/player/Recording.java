@@ -10,6 +10,7 @@ import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.view.scene.BodyPose;
 import org.mechservice.view.scene.Point3;
+import org.mechservice.view.scene.SceneBody;
 import org.mechservice.view.scene.SceneDescription;
 
 /**
@@ -32,11 +33,59 @@ public final class Recording implements ResultSink {
 
   private final List<double[]> frames = new ArrayList<>();
   private final Map<String, Integer> places = new HashMap<>();
+  private final double closest;
   private List<Variable> columns = List.of();
   private double interval;
   private int mostFrames;
   private double[] last = {};
   private boolean lastKept = true;
+
+  /** Keeps at most about 60 frames a second of a long run. */
+  public Recording() {
+    this(INTERVAL);
+  }
+
+  /**
+   * Keeps the frames of a fast motion.
+   *
+   * @param closest distance of the frames below which a long run is thinned, s
+   */
+  public Recording(double closest) {
+    this.closest = Math.min(INTERVAL, closest);
+  }
+
+  /**
+   * The body that turns most between two frames.
+   *
+   * @param body its name
+   * @param angle by which it turns, rad
+   * @param step from one frame to the next, s
+   */
+  public record Turn(String body, double angle, double step) {}
+
+  /**
+   * Returns the greatest turn between two frames, by the angular velocities at their times; empty
+   * if the columns do not tell it.
+   */
+  public Optional<Turn> greatestTurn(SceneDescription scene) {
+    Optional<Turn> greatest = Optional.empty();
+    for (SceneBody body : scene.bodies()) {
+      OptionalInt w = place(body.name() + ".wx");
+      for (int frame = 1; w.isPresent() && frame < frameCount(); frame++) {
+        double step = value(frame, 0) - value(frame - 1, 0);
+        double angle = Math.min(speed(frame - 1, w.getAsInt()), speed(frame, w.getAsInt())) * step;
+        if (angle > greatest.map(Turn::angle).orElse(0.0)) {
+          greatest = Optional.of(new Turn(body.name(), angle, step));
+        }
+      }
+    }
+    return greatest;
+  }
+
+  private double speed(int frame, int column) {
+    return Math.hypot(
+        value(frame, column), Math.hypot(value(frame, column + 1), value(frame, column + 2)));
+  }
 
   /**
    * Returns the first column that the poses of a scene's bodies need and a result does not have.
@@ -67,7 +116,7 @@ public final class Recording implements ResultSink {
     lastKept = frames.isEmpty() || values[0] - lastTime() >= interval * (1 - 1e-9);
     if (lastKept) {
       frames.add(last);
-      if (frames.size() > mostFrames || (frames.size() > SHORT_RUN && spacing() < INTERVAL)) {
+      if (frames.size() > mostFrames || (frames.size() > SHORT_RUN && spacing() < closest)) {
         thin();
       }
     }
@@ -115,6 +164,11 @@ public final class Recording implements ResultSink {
   OptionalInt place(String name) {
     Integer place = places.get(name);
     return place == null ? OptionalInt.empty() : OptionalInt.of(place);
+  }
+
+  /** Returns the time of a frame, s. */
+  public double time(int frame) {
+    return value(frame, 0);
   }
 
   /** Returns a number of a frame. */

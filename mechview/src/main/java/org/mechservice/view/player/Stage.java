@@ -3,7 +3,6 @@ package org.mechservice.view.player;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.view.mesh.Mesh;
@@ -17,17 +16,21 @@ import org.mechservice.view.scene.SceneBody;
 import org.mechservice.view.scene.SceneConstraint;
 import org.mechservice.view.scene.SceneDescription;
 import org.mechservice.view.scene.SceneForce;
+import org.mechservice.view.scene.SceneGear;
 import org.mechservice.view.scene.SceneJoint;
+import org.mechservice.view.scene.SceneLook;
 import org.mechservice.view.scene.SceneSolid;
 
 /**
  * The shapes that show a mechanism: the surfaces of its bodies and joints, and the links between
  * points of bodies that rods and springs are drawn as.
  *
- * <p>A body without a geometry file is drawn as its solids, with rods to those of its joints that
- * are away from them. Without solids it gets rods that join its joints, and the box or cylinder of
- * even density that has its inertia. A body in contact by a sphere or a tyre gets that. Sizes of
- * symbols follow from the extent of the mechanism at the start.
+ * <p>A body without a geometry file and without looks is drawn as its solids, with rods to those of
+ * its joints that are away from them. Without solids it is a skeleton: rods between its joints and
+ * its centre of mass, which is a ball. Only a body that has no skeleton, since it turns about its
+ * centre of mass or is free, is drawn as the box or cylinder of even density that has its inertia;
+ * those of the other bodies are hidden unless viewers ask for them. A body in contact by a sphere
+ * or a tyre gets that. Sizes of symbols follow from the extent of the mechanism at the start.
  */
 public final class Stage {
   private static final int[] PALETTE = {
@@ -36,13 +39,25 @@ public final class Stage {
   private static final int GROUND = 0x8a9099;
   private static final int JOINT = 0x59636e;
   private static final int SURFACE = 0x93a08f;
+  private static final int RUBBER = 0x2c2f34;
+  private static final int STEEL = 0xc3cad2;
 
   /** Longest edge of a box that a body's inertia is drawn as, in parts of the extent. */
   private static final double LARGEST_BOX = 0.5;
 
+  /** Radius of a body's rods, in parts of the extent, and at most of its longest rod. */
+  private static final double ROD = 0.011;
+
+  private static final double STOUTEST_ROD = 0.07;
+
+  /** Spokes of a wheel, by which its turning is seen. */
+  private static final int SPOKES = 5;
+
   private final SceneDescription scene;
   private final MeshFolder folder;
   private final double extent;
+  private final double heaviest;
+  private final Shapes shapes = new Shapes();
   private final List<Part> parts = new ArrayList<>();
   private final List<Strut> links = new ArrayList<>();
   private final List<String> warnings = new ArrayList<>();
@@ -61,13 +76,17 @@ public final class Stage {
     this.scene = scene;
     this.folder = folder;
     extent = extent(scene);
+    heaviest = scene.bodies().stream().mapToDouble(SceneBody::mass).max().orElse(0);
     for (int body = 0; body < scene.bodies().size(); body++) {
       addBody(body);
     }
     if (!addGeometry(Anchor.ROOT, scene.rootGeometry())) {
-      addSolids(Anchor.ROOT, scene.rootSolids());
-      addFixedPoints();
+      if (!addLooks(Anchor.ROOT, scene.rootLooks())) {
+        addSolids(Anchor.ROOT, scene.rootSolids());
+        addFixedPoints();
+      }
     }
+    scene.gears().forEach(this::addGear);
     scene.joints().forEach(this::addJoint);
     scene.constraints().forEach(this::addConstraint);
     scene.forces().forEach(this::addForce);
@@ -104,26 +123,62 @@ public final class Stage {
     for (Point3 one : points) {
       largest = Math.max(largest, one.minus(points.get(0)).norm());
     }
-    for (SceneBody body : scene.bodies()) {
-      Point3 size = InertiaBox.of(body).size();
-      largest = Math.max(largest, size.norm());
-    }
     for (SceneForce force : scene.forces()) {
       largest = Math.max(largest, 4 * force.radius());
+    }
+    for (SceneBody body : scene.bodies()) {
+      for (SceneSolid solid : body.solids()) {
+        largest = Math.max(largest, BodySurfaces.size(solid));
+      }
+      for (SceneLook look : body.looks()) {
+        for (SceneSolid solid : look.solids()) {
+          largest = Math.max(largest, BodySurfaces.size(solid));
+        }
+      }
+    }
+    if (largest < 1e-9) {
+      for (SceneBody body : scene.bodies()) {
+        largest = Math.max(largest, InertiaBox.of(body).size().norm());
+      }
     }
     return largest > 0 && Double.isFinite(largest) ? largest : 1;
   }
 
   private void addBody(int index) {
     SceneBody body = scene.bodies().get(index);
+    InertiaBox box = InertiaBox.of(body);
     if (addGeometry(index, body.geometry())) {
+      addInertia(index, box);
       return;
     }
-    if (addSolids(index, body.solids())) {
-      balls(index).forEach(mesh -> add(index, Part.Role.BODY, body.name(), mesh));
+    if (addLooks(index, body.looks())) {
+      addInertia(index, box);
+      return;
+    }
+    boolean solid = addSolids(index, body.solids());
+    boolean round = addRounds(index);
+    if (solid) {
       addRods(index, body);
-    } else {
-      shapes(index, body).forEach(mesh -> add(index, Part.Role.BODY, body.name(), mesh));
+    } else if (!addSkeleton(index, body, round)) {
+      addBody(index, mass(box, body));
+      return;
+    }
+    addInertia(index, box);
+  }
+
+  /** Adds the box of a body's inertia, which is hidden at first. */
+  private void addInertia(int index, InertiaBox box) {
+    if (box.size().norm() > 0) {
+      int colour = colour(index);
+      parts.add(
+          new Part(
+              index,
+              Part.Role.INERTIA,
+              scene.bodyName(index),
+              solid(box),
+              colour,
+              0.35,
+              Part.Finish.GLOSSY));
     }
   }
 
@@ -134,7 +189,7 @@ public final class Stage {
     }
     String name = scene.bodyName(body);
     try {
-      folder.read(file).forEach(mesh -> add(body, Part.Role.BODY, name, mesh));
+      folder.read(file).forEach(mesh -> addBody(body, Shape.of(mesh)));
       return true;
     } catch (MeshException e) {
       warnings.add("body " + name + " is drawn as a simple shape: " + e.getMessage());
@@ -142,14 +197,44 @@ public final class Stage {
     }
   }
 
+  /** Adds the looks of a body; returns whether there are any that can be shown. */
+  private boolean addLooks(int body, List<SceneLook> looks) {
+    String name = scene.bodyName(body);
+    BodySurfaces surfacesOf = new BodySurfaces(folder, shapes, extent);
+    boolean shown = false;
+    for (SceneLook look : looks) {
+      for (SceneSolid solid : look.solids()) {
+        try {
+          for (Shape shape : surfacesOf.of(solid)) {
+            boolean own = shape.mesh().colour() != Mesh.NO_COLOUR;
+            int colour = own ? shape.mesh().colour() : colour(body);
+            parts.add(
+                new Part(
+                    body,
+                    Part.Role.BODY,
+                    name,
+                    shape.moved(look.at()),
+                    look.colour() == SceneLook.NO_COLOUR ? colour : look.colour(),
+                    look.opacity() * shape.mesh().opacity(),
+                    Part.Finish.GLOSSY));
+          }
+          shown = true;
+        } catch (MeshException e) {
+          warnings.add("a look of body " + name + " is not drawn: " + e.getMessage());
+        }
+      }
+    }
+    return shown;
+  }
+
   /** Adds the solids of a body; returns whether there are any that can be shown. */
   private boolean addSolids(int body, List<SceneSolid> solids) {
     String name = scene.bodyName(body);
-    BodySurfaces surfacesOf = new BodySurfaces(folder, extent);
+    BodySurfaces surfacesOf = new BodySurfaces(folder, shapes, extent);
     boolean shown = false;
     for (SceneSolid solid : solids) {
       try {
-        surfacesOf.of(solid).forEach(mesh -> add(body, Part.Role.BODY, name, mesh));
+        surfacesOf.of(solid).forEach(shape -> addBody(body, shape));
         shown = true;
       } catch (MeshException e) {
         warnings.add("a solid of body " + name + " is not drawn: " + e.getMessage());
@@ -158,21 +243,39 @@ public final class Stage {
     return shown;
   }
 
-  /** Joins the points of a body that lie away from its solids to its centre of mass. */
+  /**
+   * Joins the points of a body that lie away from its solids to its centre of mass, and its solids
+   * too if none of them is there.
+   */
   private void addRods(int index, SceneBody body) {
     double away = 0.03 * extent;
+    Point3 hub = body.centreOfMass();
+    if (body.solids().size() > 1
+        && body.solids().stream().allMatch(one -> BodySurfaces.distance(one, hub) > away)) {
+      for (SceneSolid one : body.solids()) {
+        shapes
+            .rod(BodySurfaces.centre(one), hub, 0.6 * ROD * extent)
+            .forEach(shape -> addBody(index, shape));
+      }
+    }
     for (Point3 point : points(index)) {
       if (body.solids().stream().allMatch(one -> BodySurfaces.distance(one, point) > away)) {
-        Solids.rod(point, body.centreOfMass(), 0.006 * extent)
-            .forEach(mesh -> add(index, Part.Role.BODY, body.name(), mesh));
+        shapes
+            .rod(point, body.centreOfMass(), 0.6 * ROD * extent)
+            .forEach(shape -> addBody(index, shape));
       }
     }
   }
 
-  private void add(int body, Part.Role role, String name, Mesh mesh) {
-    int colour = role == Part.Role.JOINT ? JOINT : colour(body);
-    boolean own = mesh.colour() != Mesh.NO_COLOUR;
-    parts.add(new Part(body, role, name, mesh, own ? mesh.colour() : colour));
+  private void addBody(int body, Shape shape) {
+    boolean own = shape.mesh().colour() != Mesh.NO_COLOUR;
+    int colour = own ? shape.mesh().colour() : colour(body);
+    add(body, Part.Role.BODY, scene.bodyName(body), shape, colour);
+  }
+
+  private void add(int body, Part.Role role, String name, Shape shape, int colour) {
+    Part.Finish finish = colour == RUBBER ? Part.Finish.DULL : Part.Finish.GLOSSY;
+    parts.add(new Part(body, role, name, shape, colour, shape.mesh().opacity(), finish));
   }
 
   /** Returns the points of a body that something holds or pulls, in body axes, each once. */
@@ -203,64 +306,126 @@ public final class Stage {
     return points;
   }
 
-  private List<Mesh> shapes(int index, SceneBody body) {
-    List<Mesh> shapes = new ArrayList<>(balls(index));
-    boolean massShown = !shapes.isEmpty() || !(body.mass() > 0);
+  /**
+   * Adds rods between the points of a body and its centre of mass; returns whether they show it.
+   *
+   * @param round whether it is drawn as a ball or wheel besides
+   */
+  private boolean addSkeleton(int index, SceneBody body, boolean round) {
     List<Point3> points = points(index);
-    double radius = 0.012 * extent;
-    InertiaBox box = InertiaBox.of(body);
-    if (points.size() == 2) {
-      shapes.addAll(Solids.rod(points.get(0), points.get(1), radius));
-      massShown |= !bulky(box, points);
+    boolean massive = body.mass() > 0;
+    Point3 hub = massive ? body.centreOfMass() : middle(points);
+    double longest = points.stream().mapToDouble(p -> p.minus(hub).norm()).max().orElse(0);
+    if (longest < 0.015 * extent) {
+      return round || (!massive && !points.isEmpty());
+    }
+    double radius = Math.min(ROD * extent, STOUTEST_ROD * 2 * longest);
+    boolean straight = points.size() == 2 && isBetween(hub, points.get(0), points.get(1));
+    if (straight) {
+      shapes.capsule(points.get(0), points.get(1), radius).forEach(shape -> addBody(index, shape));
     } else {
-      Point3 hub = body.mass() > 0 ? body.centreOfMass() : middle(points);
-      points.forEach(point -> shapes.addAll(Solids.rod(point, hub, radius)));
+      for (Point3 point : points) {
+        shapes.capsule(point, hub, radius).forEach(shape -> addBody(index, shape));
+      }
     }
-    if (!massShown) {
-      shapes.add(mass(box, body));
+    if (massive && !round) {
+      addBody(
+          index, shapes.ball(hub, Math.max(1.5 * radius, Math.min(ball(body), 0.35 * longest))));
     }
-    return shapes;
+    return true;
   }
 
-  /** Returns the spheres, discs and tyres by which a body is in contact. */
-  private List<Mesh> balls(int body) {
-    return scene.forces().stream()
-        .filter(force -> force.kind() == SceneForce.Kind.CONTACT && force.radius() > 0)
-        .filter(force -> force.anchors().get(0).body() == body)
-        .map(Stage::round)
-        .toList();
+  /** Returns whether a point lies near the straight line between two others. */
+  private static boolean isBetween(Point3 point, Point3 from, Point3 to) {
+    Point3 along = to.minus(from);
+    double share = point.minus(from).dot(along) / along.dot(along);
+    return share > -0.05
+        && share < 1.05
+        && point.minus(from.plus(along.times(share))).norm() < 0.06 * along.norm();
   }
 
-  /** Returns the sphere of a contact, or its disc as a tyre. */
-  private static Mesh round(SceneForce force) {
-    double r = force.radius();
-    Point3 centre = force.anchors().get(0).point();
-    return force.isOfDisc()
-        ? Solids.tube(0.6 * r, r, 0.35 * r).moved(Solids.zAlong(force.axle(), centre))
-        : Solids.sphere(r).moved(at(centre));
+  /** Returns the radius of the ball that shows a body's mass, m. */
+  private double ball(SceneBody body) {
+    return (0.014 + 0.022 * Math.cbrt(body.mass() / heaviest)) * extent;
   }
 
-  /** Returns whether a box says more than the rod between two points. */
-  private boolean bulky(InertiaBox box, List<Point3> points) {
-    Point3 along = points.get(1).minus(points.get(0));
-    double thickness = Math.max(box.size().x(), Math.max(box.size().y(), box.size().z()));
-    double second = middle(box.size());
-    return thickness > 0 && second > 0.15 * along.norm();
+  /**
+   * Adds the spheres, discs and tyres by which a body is in contact; returns whether it has any.
+   */
+  private boolean addRounds(int body) {
+    boolean any = false;
+    Set<List<Object>> known = new HashSet<>();
+    for (SceneForce force : scene.forces()) {
+      if (force.kind() == SceneForce.Kind.CONTACT
+          && force.radius() > 0
+          && force.anchors().get(0).body() == body) {
+        any = true;
+        Point3 centre = force.anchors().get(0).point();
+        if (!known.add(List.of(centre, force.radius(), force.axle()))) {
+          continue;
+        }
+        if (force.isOfDisc()) {
+          addTyre(body, Solids.zAlong(force.axle(), centre), force.radius());
+        } else {
+          addBody(body, shapes.ball(centre, force.radius()));
+        }
+      }
+    }
+    return any
+        || scene.gears().stream().anyMatch(gear -> gear.body() == body && !gear.ring())
+        || scene.constraints().stream()
+            .anyMatch(one -> one.wheel().isPresent() && one.anchors().get(0).body() == body);
   }
 
-  private static double middle(Point3 size) {
-    double least = Math.min(size.x(), Math.min(size.y(), size.z()));
-    double most = Math.max(size.x(), Math.max(size.y(), size.z()));
-    return size.x() + size.y() + size.z() - least - most;
+  /** Adds a gear wheel; those of one scene have teeth of one size. */
+  private void addGear(SceneGear gear) {
+    double smallest =
+        scene.gears().stream().mapToDouble(SceneGear::radius).min().orElse(gear.radius());
+    double width = 0.4 * smallest;
+    BodyPose at = Solids.zAlong(gear.axis(), gear.centre());
+    if (gear.ring()) {
+      String name = scene.bodyName(gear.body());
+      Shape ring = shapes.tube(at, 1.06 * gear.radius(), 1.22 * gear.radius(), width);
+      add(gear.body(), Part.Role.BODY, name, ring, STEEL);
+    } else {
+      int teeth = Math.max(8, (int) Math.round(18 * gear.radius() / smallest));
+      addBody(gear.body(), shapes.gear(at, gear.radius(), width, teeth));
+    }
+  }
+
+  private void addTyre(int body, BodyPose at, double r) {
+    String name = scene.bodyName(body);
+    add(body, Part.Role.BODY, name, shapes.tyre(at, r, 0.42 * r), RUBBER);
+    add(body, Part.Role.BODY, name, shapes.tube(at, 0.58 * r, 0.66 * r, 0.34 * r), STEEL);
+    addSpokes(body, at, 0.6 * r, 0.035 * r);
+  }
+
+  private void addSpokes(int body, BodyPose at, double radius, double thickness) {
+    addBody(body, shapes.cylinder(at, 0.2 * radius, 8 * thickness));
+    for (int i = 0; i < SPOKES; i++) {
+      double angle = 2 * Math.PI * i / SPOKES;
+      Point3 out = at.toWorld(new Point3(radius * Math.cos(angle), radius * Math.sin(angle), 0));
+      shapes.rod(at.position(), out, thickness).forEach(shape -> addBody(body, shape));
+    }
   }
 
   /** Returns a body's mass as a solid of its inertia, or as a ball if it has no inertia. */
-  private Mesh mass(InertiaBox box, SceneBody body) {
+  private Shape mass(InertiaBox box, SceneBody body) {
     Point3 size = box.size();
     double longest = Math.max(size.x(), Math.max(size.y(), size.z()));
-    if (longest <= 0.02 * extent) {
-      return Solids.sphere(0.03 * extent).moved(at(body.centreOfMass()));
-    }
+    return longest <= 0.02 * extent
+        ? shapes.ball(body.centreOfMass(), body.mass() > 0 ? ball(body) : 0.01 * extent)
+        : solid(box);
+  }
+
+  /**
+   * Returns a box, not larger than the mechanism and not too thin to be seen, or the cylinder with
+   * its inertia where two of its edges are equal and the third is not: a wheel or a bar rather than
+   * a block.
+   */
+  private Shape solid(InertiaBox box) {
+    Point3 size = box.size();
+    double longest = Math.max(size.x(), Math.max(size.y(), size.z()));
     double scale = Math.min(1, LARGEST_BOX * extent / longest);
     double least = 0.02 * extent;
     double[] edges = {
@@ -268,26 +433,18 @@ public final class Stage {
       Math.max(least, scale * size.y()),
       Math.max(least, scale * size.z())
     };
-    return round(edges).orElseGet(() -> Solids.box(edges[0], edges[1], edges[2])).moved(box.pose());
-  }
-
-  /**
-   * Returns the cylinder with the inertia of a box about its long or short axis, where two of the
-   * edges are equal and the third is not: a wheel or a bar rather than a block.
-   */
-  private static Optional<Mesh> round(double[] edges) {
     for (int axis = 0; axis < 3; axis++) {
       double one = edges[(axis + 1) % 3];
       double other = edges[(axis + 2) % 3];
       boolean equal = Math.abs(one - other) < 0.02 * one;
       if (equal && Math.abs(edges[axis] - one) > 0.2 * one) {
         // m r²/2 = m (a² + a²)/12
-        Mesh cylinder = Solids.cylinder(one / Math.sqrt(3), edges[axis]);
         Point3 along = new Point3(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
-        return Optional.of(cylinder.moved(Solids.zAlong(along, Point3.ZERO)));
+        BodyPose about = box.pose().times(Solids.zAlong(along, Point3.ZERO));
+        return shapes.cylinder(about, one / Math.sqrt(3), edges[axis]);
       }
     }
-    return Optional.empty();
+    return shapes.block(box.pose(), new Point3(edges[0], edges[1], edges[2]));
   }
 
   private static Point3 middle(List<Point3> points) {
@@ -298,44 +455,52 @@ public final class Stage {
     return sum.times(1.0 / Math.max(1, points.size()));
   }
 
-  private static BodyPose at(Point3 point) {
-    return new BodyPose(point, 1, 0, 0, 0);
-  }
-
   /** Marks where the mechanism is held. */
   private void addFixedPoints() {
     double size = 0.035 * extent;
     for (SceneJoint joint : scene.joints()) {
       for (Anchor anchor : List.of(joint.first(), joint.second())) {
-        if (anchor.body() == Anchor.ROOT && joint.type() != JointType.F) {
-          Mesh block = Solids.box(size, size, size).moved(at(anchor.point()));
-          add(Anchor.ROOT, Part.Role.BODY, scene.rootName(), block);
+        if (anchor.body() == Anchor.ROOT && !isOpen(joint)) {
+          addBody(
+              Anchor.ROOT, shapes.block(Shapes.at(anchor.point()), new Point3(size, size, size)));
         }
       }
     }
   }
 
+  /** Returns whether nothing of a joint is seen: it leaves a body free, or in the plane at rest. */
+  private static boolean isOpen(SceneJoint joint) {
+    return joint.type() == JointType.F
+        || (joint.type() == JointType.PL && joint.first().body() == Anchor.ROOT);
+  }
+
   private void addJoint(SceneJoint joint) {
-    double r = 0.02 * extent;
+    if (isOpen(joint)) {
+      return;
+    }
+    double r = 0.016 * extent;
     Anchor first = joint.first();
     BodyPose along =
-        joint.axis().norm() > 0 ? Solids.zAlong(joint.axis(), first.point()) : at(first.point());
+        joint.axis().norm() > 0
+            ? Solids.zAlong(joint.axis(), first.point())
+            : Shapes.at(first.point());
     switch (joint.type()) {
-      case R -> addSymbol(joint, Solids.cylinder(r, 3.2 * r).moved(along));
-      case P -> addSymbol(joint, Solids.box(2 * r, 2 * r, 4 * r).moved(along));
-      case C, H -> addSymbol(joint, Solids.tube(0.6 * r, 1.1 * r, 4 * r).moved(along));
-      case S -> addSymbol(joint, Solids.sphere(1.2 * r).moved(along));
-      case PL -> addSymbol(joint, Solids.box(6 * r, 6 * r, 0.4 * r).moved(along));
-      case W -> addSymbol(joint, Solids.box(1.6 * r, 1.6 * r, 1.6 * r).moved(along));
+      case R -> addSymbol(joint, shapes.cylinder(along, r, 3.2 * r));
+      case P -> addSymbol(joint, shapes.block(along, new Point3(2 * r, 2 * r, 4 * r)));
+      case C, H -> addSymbol(joint, shapes.tube(along, 0.6 * r, 1.1 * r, 4 * r));
+      case S -> addSymbol(joint, shapes.ball(first.point(), 1.2 * r));
+      case PL -> addSymbol(joint, shapes.block(along, new Point3(6 * r, 6 * r, 0.4 * r)));
+      case W -> addSymbol(joint, shapes.block(along, new Point3(1.6 * r, 1.6 * r, 1.6 * r)));
       case U -> {
-        addSymbol(joint, Solids.cylinder(0.7 * r, 4 * r).moved(along));
+        addSymbol(joint, shapes.cylinder(along, 0.7 * r, 4 * r));
         Anchor second = joint.second();
-        Mesh cross = Solids.cylinder(0.7 * r, 4 * r);
+        BodyPose other = Solids.zAlong(joint.axis2(), second.point());
         add(
             second.body(),
             Part.Role.JOINT,
             joint.name(),
-            cross.moved(Solids.zAlong(joint.axis2(), second.point())));
+            shapes.cylinder(other, 0.7 * r, 4 * r),
+            JOINT);
       }
       case F -> {
         // nothing holds the body
@@ -343,8 +508,8 @@ public final class Stage {
     }
   }
 
-  private void addSymbol(SceneJoint joint, Mesh mesh) {
-    add(joint.first().body(), Part.Role.JOINT, joint.name(), mesh);
+  private void addSymbol(SceneJoint joint, Shape shape) {
+    add(joint.first().body(), Part.Role.JOINT, joint.name(), shape, JOINT);
   }
 
   private void addConstraint(SceneConstraint constraint) {
@@ -359,8 +524,8 @@ public final class Stage {
       case POINT_ON_LINE -> {
         Anchor line = constraint.anchors().get(1);
         BodyPose along = Solids.zAlong(constraint.direction(), line.point());
-        Mesh rail = Solids.cylinder(0.006 * extent, 1.2 * extent).moved(along);
-        add(line.body(), Part.Role.JOINT, constraint.name(), rail);
+        Shape rail = shapes.cylinder(along, 0.006 * extent, 1.2 * extent);
+        add(line.body(), Part.Role.JOINT, constraint.name(), rail, JOINT);
       }
       case ROLLING -> {
         Anchor plane = constraint.anchors().get(1);
@@ -370,8 +535,9 @@ public final class Stage {
       case KNIFE_EDGE -> {
         Anchor point = constraint.anchors().get(0);
         Point3 side = constraint.direction().times(0.05 * extent);
-        Solids.rod(point.point().minus(side), point.point().plus(side), 0.006 * extent)
-            .forEach(mesh -> add(point.body(), Part.Role.JOINT, constraint.name(), mesh));
+        shapes
+            .rod(point.point().minus(side), point.point().plus(side), 0.006 * extent)
+            .forEach(one -> add(point.body(), Part.Role.JOINT, constraint.name(), one, JOINT));
       }
       case POINT_ON_PLANE -> {
         Anchor plane = constraint.anchors().get(1);
@@ -384,26 +550,35 @@ public final class Stage {
 
   private void addWheel(String name, Anchor centre, SceneConstraint.Wheel wheel) {
     double r = wheel.radius();
-    Mesh mesh =
-        wheel.isBall()
-            ? Solids.sphere(r).moved(at(centre.point()))
-            : Solids.tube(0.92 * r, r, 0.06 * r).moved(Solids.zAlong(wheel.axle(), centre.point()));
-    add(centre.body(), Part.Role.JOINT, name, mesh);
+    int body = centre.body();
+    if (wheel.isBall()) {
+      addBody(body, shapes.ball(centre.point(), r));
+      return;
+    }
+    BodyPose at = Solids.zAlong(wheel.axle(), centre.point());
+    add(body, Part.Role.BODY, name, shapes.tube(at, 0.9 * r, r, 0.07 * r), RUBBER);
+    add(body, Part.Role.BODY, name, shapes.tube(at, 0.86 * r, 0.92 * r, 0.06 * r), STEEL);
+    addSpokes(body, at, 0.88 * r, 0.012 * r);
   }
 
   private void addSurface(String name, Anchor at, Point3 normal) {
     if (surfaces.add(new Surface(at, normal))) {
-      Mesh sheet =
-          Solids.box(1.2 * extent, 1.2 * extent, 0.002 * extent)
-              .moved(Solids.zAlong(normal, at.point()))
-              .coloured(SURFACE, 0.35);
-      parts.add(new Part(at.body(), Part.Role.SURFACE, name, sheet, SURFACE));
+      Shape sheet =
+          shapes.block(
+              Solids.zAlong(normal, at.point()),
+              new Point3(1.2 * extent, 1.2 * extent, 0.002 * extent));
+      parts.add(
+          new Part(at.body(), Part.Role.SURFACE, name, sheet, SURFACE, 0.35, Part.Finish.DULL));
     }
   }
 
   private void addForce(SceneForce force) {
     switch (force.kind()) {
-      case SPRING, SPRING_DAMPER -> addLink(Strut.Kind.SPRING, force);
+      case SPRING -> addLink(Strut.Kind.SPRING, force);
+      case SPRING_DAMPER -> {
+        addLink(Strut.Kind.SPRING, force);
+        addLink(Strut.Kind.DAMPER, force);
+      }
       case DAMPER -> addLink(Strut.Kind.DAMPER, force);
       case ROPE -> addRope(force.name(), force.anchors());
       case CONTACT -> {
@@ -421,7 +596,7 @@ public final class Stage {
 
   private void addRope(String name, List<Anchor> passed) {
     for (int i = 1; i < passed.size(); i++) {
-      links.add(new Strut(Strut.Kind.ROD, name, passed.get(i - 1), passed.get(i)));
+      links.add(new Strut(Strut.Kind.ROPE, name, passed.get(i - 1), passed.get(i)));
     }
   }
 

@@ -13,19 +13,27 @@ import org.mechservice.view.scene.Anchor;
 record Strut(Kind kind, String name, Anchor from, Anchor to) {
   /** The way in which a link is drawn. */
   enum Kind {
-    ROD(0xa7aeb6),
-    SPRING(0x2f9e77),
-    DAMPER(0x7b6fb0);
+    ROD(0xa7aeb6, 0.008),
+    ROPE(0x8d7450, 0.0035),
+    SPRING(0x2f9e77, 0.009),
+    DAMPER(0x7b6fb0, 0.011);
 
     private final int colour;
+    private final double width;
 
-    Kind(int colour) {
+    Kind(int colour, double width) {
       this.colour = colour;
+      this.width = width;
     }
 
     /** Returns the colour, 0xRRGGBB. */
     int colour() {
       return colour;
+    }
+
+    /** Returns the radius of what is drawn, in parts of the extent. */
+    double width() {
+      return width;
     }
   }
 }

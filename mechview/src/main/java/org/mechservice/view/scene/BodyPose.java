@@ -44,6 +44,16 @@ public record BodyPose(Point3 position, double e0, double e1, double e2, double 
     };
   }
 
+  /** Returns a pose that is given in the axes of this one, in the axes that this one is in. */
+  public BodyPose times(BodyPose inner) {
+    return new BodyPose(
+        toWorld(inner.position),
+        e0 * inner.e0 - e1 * inner.e1 - e2 * inner.e2 - e3 * inner.e3,
+        e0 * inner.e1 + e1 * inner.e0 + e2 * inner.e3 - e3 * inner.e2,
+        e0 * inner.e2 - e1 * inner.e3 + e2 * inner.e0 + e3 * inner.e1,
+        e0 * inner.e3 + e1 * inner.e2 - e2 * inner.e1 + e3 * inner.e0);
+  }
+
   /** Returns the point with these coordinates in body axes, from the world's origin, m. */
   public Point3 toWorld(Point3 inBody) {
     return position.plus(turn(inBody));

@@ -13,6 +13,7 @@ import java.util.List;
  * @param geometry {@code graphSrc} of the model file: the name of a geometry file; empty if none is
  *     given
  * @param solids what it consists of; none if the model has its mass as numbers
+ * @param looks what it is shown as in place of its solids
  */
 public record SceneBody(
     String name,
@@ -21,13 +22,27 @@ public record SceneBody(
     Point3 centreOfMass,
     List<Double> inertia,
     String geometry,
-    List<SceneSolid> solids) {
+    List<SceneSolid> solids,
+    List<SceneLook> looks) {
   public SceneBody {
     solids = List.copyOf(solids);
+    looks = List.copyOf(looks);
     inertia = List.copyOf(inertia);
     if (inertia.size() != 6) {
       throw new IllegalArgumentException("inertia of body " + name + " needs 6 numbers");
     }
+  }
+
+  /** Describes a body that looks like what it consists of. */
+  public SceneBody(
+      String name,
+      BodyPose pose,
+      double mass,
+      Point3 centreOfMass,
+      List<Double> inertia,
+      String geometry,
+      List<SceneSolid> solids) {
+    this(name, pose, mass, centreOfMass, inertia, geometry, solids, List.of());
   }
 
   /** Describes a body whose mass is given by numbers. */

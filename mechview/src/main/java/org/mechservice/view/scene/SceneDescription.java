@@ -11,11 +11,13 @@ import java.util.List;
  * @param root where the body at rest is
  * @param rootGeometry {@code graphSrc} of the body at rest; empty if none is given
  * @param rootSolids what the body at rest consists of
+ * @param rootLooks what the body at rest is shown as in place of these
  * @param gravity acceleration of free fall in world axes, m/s²
  * @param bodies the moving bodies in file order
  * @param joints joints of the tree in file order, then cut joints in file order
  * @param constraints what closes loops besides cut joints, in file order
  * @param forces what is applied besides gravity, in file order
+ * @param gears wheels that couplings of joints stand for
  * @param verdict what {@code mech check} says of the model
  */
 public record SceneDescription(
@@ -24,18 +26,51 @@ public record SceneDescription(
     BodyPose root,
     String rootGeometry,
     List<SceneSolid> rootSolids,
+    List<SceneLook> rootLooks,
     Point3 gravity,
     List<SceneBody> bodies,
     List<SceneJoint> joints,
     List<SceneConstraint> constraints,
     List<SceneForce> forces,
+    List<SceneGear> gears,
     SceneVerdict verdict) {
   public SceneDescription {
+    gears = List.copyOf(gears);
     rootSolids = List.copyOf(rootSolids);
+    rootLooks = List.copyOf(rootLooks);
     bodies = List.copyOf(bodies);
     joints = List.copyOf(joints);
     constraints = List.copyOf(constraints);
     forces = List.copyOf(forces);
+  }
+
+  /** Describes a mechanism without gears whose body at rest looks like what it consists of. */
+  public SceneDescription(
+      String name,
+      String rootName,
+      BodyPose root,
+      String rootGeometry,
+      List<SceneSolid> rootSolids,
+      Point3 gravity,
+      List<SceneBody> bodies,
+      List<SceneJoint> joints,
+      List<SceneConstraint> constraints,
+      List<SceneForce> forces,
+      SceneVerdict verdict) {
+    this(
+        name,
+        rootName,
+        root,
+        rootGeometry,
+        rootSolids,
+        List.of(),
+        gravity,
+        bodies,
+        joints,
+        constraints,
+        forces,
+        List.of(),
+        verdict);
   }
 
   /** Returns where a body is at the start. */

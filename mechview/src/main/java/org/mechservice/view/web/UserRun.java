@@ -63,6 +63,8 @@ final class UserRun {
   private final SimulationOptions options;
   private final SceneDescription scene;
   private final Stage stage;
+  private final DroppedFiles files;
+  private final String title;
   private final Path folder;
   private final Recording recording = new Recording();
   private volatile Optional<RunFrames> frames = Optional.empty();
@@ -77,22 +79,40 @@ final class UserRun {
   private volatile String unstored = "";
 
   /**
+   * What is to be run.
+   *
    * @param model MechML text's bytes
    * @param choice simulation and values of parameters, which are among the options too
-   * @param folder of this run alone; receives its result files
+   * @param scene the mechanism
+   * @param files what lies beside the model; removed with the run
+   * @param title what differs from the model's file, for people
    */
-  UserRun(
+  @SuppressWarnings("ArrayRecordComponent") // made once, read once, never compared
+  record Order(
       byte[] model,
       ModelReader.Choice choice,
       SimulationOptions options,
       SceneDescription scene,
-      Path folder) {
-    this.model = model;
-    this.choice = choice;
-    this.options = options;
-    this.scene = scene;
+      DroppedFiles files,
+      String title) {}
+
+  /**
+   * @param folder of this run alone; receives its result files
+   */
+  UserRun(Order order, Path folder) {
+    model = order.model();
+    choice = order.choice();
+    options = order.options();
+    scene = order.scene();
+    files = order.files();
+    title = order.title();
     this.folder = folder;
-    stage = new Stage(scene, new MeshFolder(folder));
+    stage = new Stage(scene, new MeshFolder(files.folder()));
+  }
+
+  /** Returns what differs from the model's file, for people. */
+  String title() {
+    return title;
   }
 
   /** Runs to the end; what goes wrong is told to the pages. */
@@ -335,13 +355,14 @@ final class UserRun {
   /** Stops the run and removes its files. */
   void close() {
     closed = true;
+    files.close();
     try {
       cancel();
     } catch (ServiceException e) {
       LOG.debug("the server is gone, and the run with it", e);
     }
-    try (var files = Files.list(folder)) {
-      for (Path file : files.toList()) {
+    try (var stored = Files.list(folder)) {
+      for (Path file : stored.toList()) {
         Files.deleteIfExists(file);
       }
       Files.deleteIfExists(folder);

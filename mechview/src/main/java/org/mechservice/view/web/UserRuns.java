@@ -1,16 +1,16 @@
 package org.mechservice.view.web;
 
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.mechservice.client.MechConnection;
-import org.mechservice.client.SimulationOptions;
 import org.mechservice.orb.http.AccessToken;
 import org.mechservice.orb.http.RefusedRequestException;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.view.scene.SceneDescription;
 
 /** The latest runs of all users, by ids that cannot be guessed. */
 final class UserRuns implements AutoCloseable {
@@ -29,9 +29,7 @@ final class UserRuns implements AutoCloseable {
    *
    * @return its identity
    */
-  synchronized String start(
-      byte[] model, ModelReader.Choice choice, SimulationOptions options, SceneDescription scene)
-      throws IOException {
+  synchronized String start(UserRun.Order order) throws IOException {
     if (runs.values().stream().filter(run -> !run.hasEnded()).count() >= MOST_ACTIVE) {
       throw new RefusedRequestException(
           503,
@@ -49,7 +47,7 @@ final class UserRuns implements AutoCloseable {
               .getKey();
       runs.remove(oldest).close();
     }
-    UserRun run = new UserRun(model, choice, options, scene, Files.createTempDirectory("mechweb"));
+    UserRun run = new UserRun(order, Files.createTempDirectory("mechweb"));
     String id = AccessToken.random();
     runs.put(id, run);
     Thread thread = new Thread(() -> run.run(service), "mechservice-user-run");
@@ -72,6 +70,21 @@ final class UserRuns implements AutoCloseable {
               + " the request cannot be used: the run is no longer kept; run it again");
     }
     return run;
+  }
+
+  /** Returns identities and titles of the runs that are kept, in the order of their starts. */
+  synchronized JsonObject list() {
+    JsonArray all = new JsonArray();
+    runs.forEach(
+        (id, run) -> {
+          JsonObject one = new JsonObject();
+          one.addProperty("run", id);
+          one.addProperty("title", run.title());
+          all.add(one);
+        });
+    JsonObject list = new JsonObject();
+    list.add("runs", all);
+    return list;
   }
 
   @Override

@@ -32,6 +32,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.view.drawing.Svg;
 import org.mechservice.view.drawing.Theme;
 import org.mechservice.view.player.PlayerPage;
+import org.mechservice.view.player.ThreeLibrary;
 import org.mechservice.view.sketch.MechanismPicture;
 import org.mechservice.view.sketch.ViewPlane;
 
@@ -153,14 +154,19 @@ public final class UserWeb implements AutoCloseable {
       report(request, path.substring(REPORT.length()));
       return;
     }
-    PageFiles.PageFile file =
-        path.startsWith("/player/")
-            ? shared.file(path.substring("/player/".length())).orElseThrow(() -> nothingAt(path))
-            : files
-                .file(path.equals("/") ? "index.html" : path.substring(1))
-                .orElseThrow(() -> nothingAt(path));
+    PageFiles.PageFile file = file(path).orElseThrow(() -> nothingAt(path));
     request.allowOwnPictures();
     request.answer(200, file.type(), file.content());
+  }
+
+  private Optional<PageFiles.PageFile> file(String path) throws IOException {
+    if (path.equals("/player/three.js")) {
+      byte[] module = ThreeLibrary.module().getBytes(StandardCharsets.UTF_8);
+      return Optional.of(new PageFiles.PageFile("text/javascript; charset=utf-8", module));
+    } else if (path.startsWith("/player/")) {
+      return shared.file(path.substring("/player/".length()));
+    }
+    return files.file(path.equals("/") ? "index.html" : path.substring(1));
   }
 
   /** A report is opened by its address, in which its identity is the secret. */
@@ -184,6 +190,7 @@ public final class UserWeb implements AutoCloseable {
     if (request.isGet()) {
       switch (what) {
         case "start" -> request.answer(200, start());
+        case "runs" -> request.answer(200, runs.list());
         case "watch" -> watch(request);
         case "result" ->
             runs.get(request.parameter("run"))
@@ -262,8 +269,10 @@ public final class UserWeb implements AutoCloseable {
 
   private JsonObject measure(JsonObject body) throws IOException {
     JsonObject answer = new JsonObject();
-    byte[] model = text(body, "text").getBytes(StandardCharsets.UTF_8);
-    answer.addProperty("report", reports.start(model));
+    try (DroppedFiles files = DroppedFiles.of(body)) {
+      String model = files.inlined(text(body, "text"));
+      answer.addProperty("report", reports.start(model.getBytes(StandardCharsets.UTF_8)));
+    }
     return answer;
   }
 
@@ -292,13 +301,14 @@ public final class UserWeb implements AutoCloseable {
   private JsonObject check(JsonObject body) throws IOException {
     JsonObject answer = new JsonObject();
     String model = text(body, "text");
-    try {
+    try (DroppedFiles files = DroppedFiles.of(body)) {
       String name = text(body, "name");
       if (ROBOTS.stream().anyMatch(name::endsWith)) {
         ImportedModel imported = translated(model);
         model = imported.text();
         answer.addProperty("translated", model);
       }
+      model = files.inlined(model);
       try (MechSession session = service.openSession()) {
         List<ModelMessage> warnings =
             session.loadModel("model.xml", model.getBytes(StandardCharsets.UTF_8));
@@ -368,7 +378,22 @@ public final class UserWeb implements AutoCloseable {
   }
 
   private JsonObject run(JsonObject body) throws IOException {
-    String model = text(body, "text");
+    DroppedFiles files = DroppedFiles.of(body);
+    boolean taken = false;
+    try {
+      JsonObject answer = run(body, files);
+      taken = true;
+      return answer;
+    } finally {
+      if (!taken) {
+        files.close();
+      }
+    }
+  }
+
+  /** Starts a run, which takes the files. */
+  private JsonObject run(JsonObject body, DroppedFiles files) throws IOException {
+    String model = files.inlined(text(body, "text"));
     byte[] content = model.getBytes(StandardCharsets.UTF_8);
     try (MechSession session = service.openSession()) {
       session.loadModel("model.xml", content);
@@ -386,7 +411,15 @@ public final class UserWeb implements AutoCloseable {
     options = number(body, "tEnd").map(options::endTime).orElse(options);
     JsonObject answer = new JsonObject();
     answer.addProperty(
-        "run", runs.start(content, choice, options, reader.read(model, choice).scene()));
+        "run",
+        runs.start(
+            new UserRun.Order(
+                content,
+                choice,
+                options,
+                reader.read(model, choice).scene(),
+                files,
+                body.has("title") ? text(body, "title") : "")));
     return answer;
   }
 

@@ -9,16 +9,16 @@
  *
  * <p>A {@code UserRun} takes the rows of a run. It keeps at most 1500 frames in memory, evenly
  * spaced over the simulated time, which pages fetch as they come, and writes all rows to files.
- * {@code UserRuns} keeps the latest runs; their identities are secrets, so that pages see their own
- * runs only.
+ * {@code UserRuns} keeps the latest runs, which outlast the page that started them. {@code
+ * DroppedFiles} are what lies beside a model; its text gets what it names of them.
  *
  * <p>{@code Differences} compares two runs. A {@code UserReport} measures a model and keeps its
  * report of error against run time, one at a time. It and the Functional Mock-up Unit are made by a
  * {@link org.mechservice.view.web.ModelExports}, which the command line brings.
  *
- * <p>Surfaces, camera and curves in the browser are those of {@link org.mechservice.view.player}.
- * Models are read for drawings by a {@link org.mechservice.view.web.ModelReader}, because this
- * module does not read model files.
+ * <p>The scene and curves in the browser are those of {@link org.mechservice.view.player}. Models
+ * are read for drawings by a {@link org.mechservice.view.web.ModelReader}, because this module does
+ * not read model files.
  */
 @NullMarked
 package org.mechservice.view.web;

@@ -89,9 +89,13 @@ class LiveControls {
     reset.type = 'button';
     reset.textContent = 'As in the file';
     reset.addEventListener('click', () => this.reset());
+    const keep = document.createElement('button');
+    keep.type = 'button';
+    keep.textContent = 'Keep for comparison';
+    keep.addEventListener('click', () => this.keep());
     this.said = document.createElement('p');
     this.said.setAttribute('role', 'status');
-    box.append(reset, this.said);
+    box.append(reset, keep, this.said);
     document.querySelector('aside').prepend(box);
     this.tell(first);
   }
@@ -157,6 +161,14 @@ class LiveControls {
     this.tell(run);
   }
 
+  // Leaves the curves of this run dashed beside those of the runs to come.
+  keep() {
+    const { motion } = this.player;
+    const columns = new Map(this.player.columns.map(({ name, column, offset }) =>
+      [name, Array.from(motion.column(column), x => x + offset)]));
+    this.player.compare('kept', Array.from(motion.times), columns);
+  }
+
   tell(run) {
     const { step, from, to } = this.model.live;
     const last = run.events[run.events.length - 1];
@@ -181,8 +193,4 @@ if (first.frames > 0) {
 }
 const player = new Player(data);
 const controls = new LiveControls(model, player, first);
-globalThis.mechPlayer = {
-  frameTimes: () => player.frameTimes.slice(),
-  runTimes: () => controls.times.slice(),
-  last: name => player.motion.column(player.place(name))[player.motion.count - 1],
-};
+globalThis.mechPlayer = { ...player.api(), runTimes: () => controls.times.slice() };

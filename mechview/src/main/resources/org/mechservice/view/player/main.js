@@ -1,6 +1,3 @@
 import { Player } from './player.js';
 
-const player = new Player(JSON.parse(document.getElementById('data').textContent));
-globalThis.mechPlayer = {
-  frameTimes: () => player.frameTimes.slice(),
-};
+globalThis.mechPlayer = new Player(JSON.parse(document.getElementById('data').textContent)).api();

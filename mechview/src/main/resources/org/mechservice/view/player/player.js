@@ -1,14 +1,11 @@
-import { add, cross, dot, norm, poseMatrix, product, scale, spanMatrix, subtract, turned, unit } from './space.js';
+import { add, cross, dot, norm, scale, subtract, turned, turnedBack, unit } from './space.js';
 import { Motion, bytesOf, placed } from './recording.js';
-import { Camera } from './camera.js';
-import { Canvas3D } from './canvas3d.js';
-import { Curves, short } from './curves.js';
+import { ARROWS, MechanismScene } from './scene.js';
+import { Curves, short, unitOf, valueAt } from './curves.js';
 
 const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
-const SERIES = ['#3b82d0', '#d97b1f', '#2f9e77', '#c2504d', '#8464c4', '#1c97a3', '#9c7a3c'];
+const SERIES = 8;
 
-const FORCE = [0.85, 0.27, 0.2, 1];
-const REACTION = [0.16, 0.45, 0.85, 1];
 const SHOWN = [
   ['bodies', 'Bodies', true],
   ['joints', 'Joints', true],
@@ -16,33 +13,22 @@ const SHOWN = [
   ['reactions', 'Reactions', false],
   ['traces', 'Traces', false],
   ['frames', 'Body frames', false],
+  ['inertia', 'Boxes of inertia', false],
   ['names', 'Names', false],
   ['floor', 'Floor', true],
 ];
 
 const element = id => document.getElementById(id);
+const make = (tag, text = '', properties = {}) =>
+  Object.assign(document.createElement(tag), { textContent: text, ...properties });
 
-function rgb(number, opacity = 1) {
-  return [(number >> 16 & 255) / 255, (number >> 8 & 255) / 255, (number & 255) / 255, opacity];
-}
-
-// A surface about the z axis from outlines of [radius, z].
-function roundSurface(outline) {
-  const around = 16;
-  const corners = [];
-  const triangles = [];
-  outline.forEach(([radius, z], i) => {
-    for (let j = 0; j < around; j++) {
-      const angle = 2 * Math.PI * j / around;
-      corners.push(radius * Math.cos(angle), radius * Math.sin(angle), z);
-      if (i > 0) {
-        const [a, b] = [(i - 1) * around, i * around];
-        const next = (j + 1) % around;
-        triangles.push(a + j, a + next, b + next, a + j, b + next, b + j);
-      }
-    }
-  });
-  return [new Float32Array(corners), new Uint32Array(triangles)];
+// Gives the reader a file of the page's own making.
+function save(name, content, type) {
+  const link = make('a', '', { download: name });
+  link.href = content instanceof Blob ? URL.createObjectURL(content)
+    : URL.createObjectURL(new Blob([content], { type }));
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }
 
 export class Player {
@@ -51,23 +37,20 @@ export class Player {
     this.motion = new Motion(data);
     this.time = this.motion.start;
     this.playing = false;
-    this.selected = -1;
+    this.selected = -2;
     this.follow = -2;
     this.shown = Object.fromEntries(SHOWN.map(([id, , on]) => [id, on]));
     this.charts = [];
-    this.up = norm(data.gravity) > 0 ? unit(scale(data.gravity, -1)) : [0, 0, 1];
-    // models are drawn along axes; a gravity that is a little askew tilts no picture
-    const axis = this.up.findIndex(x => Math.abs(x) > 0.9);
-    if (axis >= 0) {
-      this.up = this.up.map((x, i) => (i === axis ? Math.sign(x) : 0));
-    }
-    this.camera = new Camera(this.up);
-    this.canvas = element('scene');
-    this.picture = new Canvas3D(this.canvas);
+    this.measures = [];
+    this.picked = [];
+    this.scene = new MechanismScene(element('scene'));
+    this.scene.show(data);
     this.readColours();
     this.controls();
-    if (this.picture.gl) {
-      this.build();
+    if (this.scene.works) {
+      this.learn();
+      this.arrowScale = this.largestForce();
+      this.look('iso');
       this.pointing();
     } else {
       const problem = element('problem');
@@ -88,148 +71,47 @@ export class Player {
   readColours() {
     const style = getComputedStyle(document.documentElement);
     const read = name => style.getPropertyValue(`--${name}`).trim();
-    const three = name => rgb(parseInt(read(name).slice(1), 16));
-    this.colours = { text: read('soft'), grid: read('line'), accent: read('accent') };
-    this.background = three('scene').slice(0, 3);
-    // not quite opaque: what is drawn so hides nothing behind it
-    this.gridColour = [...three('grid').slice(0, 3), 0.99];
-    this.dark = this.background[0] < 0.5;
+    this.colours = { text: read('soft'), grid: read('line'), border: read('border'),
+      accent: read('accent'), panel: read('panel'), sky: read('sky'), scene: read('scene') };
+    this.seriesColours = Array.from({ length: SERIES }, (_, i) => read(`series-${i + 1}`));
+    const dark = matchMedia('(prefers-color-scheme: dark)').matches;
+    this.scene.colours({ sheet: read('sheet'), line: read('grid'), dark });
+    this.charts.forEach(chart => this.fill(chart));
   }
 
-  // ---- what is drawn ----
+  // ---- the picture ----
 
-  build() {
-    this.parts = this.data.parts.map(part => {
-      const corners = new Float32Array(bytesOf(part.corners));
-      const triangles = new Uint32Array(bytesOf(part.triangles));
-      return { ...part, corners, triangles3d: triangles, mesh: this.picture.mesh(corners, triangles) };
-    });
-    this.rod = this.picture.mesh(...roundSurface([[0, 0], [1, 0], [1, 1], [0, 1]]));
-    this.tip = this.picture.mesh(...roundSurface([[0, 0], [1, 0], [0, 1]]));
-    this.bounds();
-    this.travels = this.farthest() > 6 * this.data.extent;
-    this.grid();
-    if (this.travels && this.follow < 0 && this.data.bodies.length) {
-      // what drives away would be a dot in a picture of the whole way
-      this.follow = 0;
-      element('follow').value = '0';
-    }
-    this.arrowScale = this.largestForce();
-    this.camera.aspect = this.canvas.clientWidth / this.canvas.clientHeight || 1.6;
-    this.fit();
-  }
-
-  // Boxes around the surfaces of each body, and everything they pass through.
-  bounds() {
-    const boxes = new Map();
-    for (const part of this.parts) {
-      if (part.role === 'SURFACE') {
-        continue;
-      }
-      const box = boxes.get(part.body) || { least: [1e300, 1e300, 1e300], most: [-1e300, -1e300, -1e300] };
-      boxes.set(part.body, box);
-      for (let i = 0; i < part.corners.length; i++) {
-        box.least[i % 3] = Math.min(box.least[i % 3], part.corners[i]);
-        box.most[i % 3] = Math.max(box.most[i % 3], part.corners[i]);
-      }
-    }
-    this.path = [];
+  // The mechanism's positions in some frames tell what the picture has to hold.
+  learn() {
     const frames = Math.min(this.motion.count, 60);
-    for (let k = 0; k < frames; k++) {
+    const positions = Array.from({ length: frames }, (_, k) => {
       const at = Math.round(k * (this.motion.count - 1) / Math.max(1, frames - 1));
-      const frame = { at, next: at, share: 0 };
-      for (const [body, box] of boxes) {
-        const pose = this.motion.pose(body, frame);
-        for (let i = 0; i < 8; i++) {
-          const corner = [0, 1, 2].map(a => (i >> a & 1 ? box.most[a] : box.least[a]));
-          const place = add(pose.p, turned(pose.q, corner));
-          if (place.every(Number.isFinite)) {
-            this.path.push({ body, place });
-          }
-        }
-      }
-    }
-    if (this.path.length === 0) {
-      this.path.push({ body: -1, place: [0, 0, 0] });
+      return this.motion.poses({ at, next: at, share: 0 });
+    });
+    this.scene.learn(positions);
+    if (this.scene.travels && this.follow < 0 && this.data.bodies.length) {
+      // what drives away would be a dot in a picture of the whole way
+      const masses = this.data.bodies.map(body => body.mass);
+      this.follow = masses.indexOf(Math.max(...masses));
+      element('follow').value = String(this.follow);
     }
   }
 
-  // How far a body gets from where it starts, if all of them do.
-  farthest() {
-    const way = new Map();
-    for (const { body, place } of this.path) {
-      if (body >= 0) {
-        const first = way.get(body)?.first || place;
-        const most = Math.max(way.get(body)?.most || 0, norm(subtract(place, first)));
-        way.set(body, { first, most });
-      }
-    }
-    return way.size ? Math.min(...[...way.values()].map(one => one.most)) : 0;
+  poses() {
+    return this.motion.poses(this.motion.frame(this.time));
   }
 
-  // The floor below everything; its lines are laid anew around what is followed.
-  grid() {
-    const extent = this.data.extent;
-    const size = this.travels ? extent : Math.max(extent, ...this.path.map(point => norm(point.place)));
-    this.gridStep = 10 ** Math.round(Math.log10(size / 5));
-    this.gridHalf = this.gridStep * Math.ceil(size * (this.travels ? 4 : 1.3) / this.gridStep);
-    this.floor = Math.min(...this.path.map(point => dot(point.place, this.up))) - 0.01 * extent;
-    const light = this.light();
-    // takes every point along the light to the floor: p - l (u·p - h) / (u·l)
-    const m = new Float32Array(16);
-    const ul = dot(this.up, light);
-    for (let column = 0; column < 3; column++) {
-      for (let row = 0; row < 3; row++) {
-        m[4 * column + row] = (row === column ? 1 : 0) - light[row] * this.up[column] / ul;
-      }
-    }
-    const lift = (this.floor + 1e-3 * this.data.extent) / ul;
-    m.set([...scale(light, lift), 1], 12);
-    this.shadow = m;
-  }
-
-  layGrid() {
-    const x = this.camera.right;
-    const y = cross(this.up, x);
-    const { gridStep: step, gridHalf: half } = this;
-    const snap = axis => (this.follow < 0 ? 0 : step * Math.round(dot(this.camera.target, axis) / step));
-    const [cx, cy] = [snap(x), snap(y)];
-    const key = `${cx} ${cy}`;
-    if (this.gridKey === key) {
-      return;
-    }
-    this.gridKey = key;
-    const middle = add(scale(this.up, this.floor), add(scale(x, cx), scale(y, cy)));
-    const lines = [];
-    for (let k = -half; k <= half * 1.001; k += step) {
-      for (const [along, across] of [[x, y], [y, x]]) {
-        const base = add(middle, scale(across, k));
-        lines.push(...add(base, scale(along, -half)), ...add(base, scale(along, half)));
-      }
-    }
-    this.gridLines = this.picture.segments(lines, this.gridLines);
-  }
-
-  light() {
-    return unit(add(add(this.up, scale(this.camera.right, -0.35)),
-      scale(cross(this.camera.right, this.up), 0.3)));
-  }
-
-  fit(body = this.follow) {
-    const chosen = this.path.filter(point => body < 0 || point.body === body);
-    if (body >= 0) {
-      const now = this.poses()(body);
-      const half = 0.6 * this.data.extent;
-      this.camera.fit([0, 1, 2].flatMap(i => [-half, half].map(d =>
-        now.p.map((x, k) => (k === i ? x + d : x)))));
-    } else {
-      this.camera.fit((chosen.length ? chosen : this.path).map(point => point.place));
-    }
+  fit() {
+    this.scene.fit(this.poses(), this.follow);
   }
 
   look(view) {
-    this.camera.look(view);
+    this.scene.look(view);
     this.fit();
+    this.pressView(view);
+  }
+
+  pressView(view) {
     document.querySelectorAll('#views [data-view]').forEach(button =>
       button.setAttribute('aria-pressed', String(button.dataset.view === view)));
   }
@@ -240,7 +122,7 @@ export class Player {
     const stride = Math.max(1, Math.floor(this.motion.count / 100));
     for (let at = 0; at < this.motion.count; at += stride) {
       const frame = { at, next: at, share: 0 };
-      this.arrows(frame, () => this.motion.root, true, true)
+      this.forces(frame, this.motion.poses(frame), true, true)
         .forEach(arrow => sizes.push(norm(arrow.force)));
     }
     sizes.sort((a, b) => a - b);
@@ -248,247 +130,273 @@ export class Player {
   }
 
   // Forces, N, and the points they act at.
-  arrows(frame, poses, forces, reactions) {
+  forces(frame, poses, forces, reactions) {
     const found = [];
-    const put = (at, force, colour) => {
+    const put = (at, force, kind) => {
       if (force.every(Number.isFinite) && norm(force) > 0) {
-        found.push({ at, force, colour });
+        found.push({ at, force, kind });
       }
     };
     if (reactions) {
       for (const joint of this.data.joints) {
         if (joint.reaction >= 0 && joint.type !== 'F') {
-          put(placed(poses, joint.at), this.motion.vector(joint.reaction, frame), REACTION);
+          put(placed(poses, joint.at), this.motion.vector(joint.reaction, frame), 'reaction');
         }
       }
     }
     if (forces) {
+      const pulled = new Set();
       for (const link of this.data.links) {
-        if (link.tension >= 0) {
+        if (link.tension >= 0 && !(link.kind === 'DAMPER' && pulled.has(link.name))) {
+          pulled.add(link.name);
           const [from, to] = [placed(poses, link.from), placed(poses, link.to)];
           const pull = scale(unit(subtract(to, from)), this.motion.value(link.tension, frame));
-          put(from, pull, FORCE);
-          put(to, scale(pull, -1), FORCE);
+          put(from, pull, 'force');
+          put(to, scale(pull, -1), 'force');
         }
       }
       for (const force of this.data.forces) {
         if (force.kind === 'FORCE' && force.force >= 0) {
           const given = this.motion.vector(force.force, frame);
           const acting = force.inBodyAxes ? turned(poses(force.anchors[0][0]).q, given) : given;
-          put(placed(poses, force.anchors[0]), acting, FORCE);
+          put(placed(poses, force.anchors[0]), acting, 'force');
         } else if (force.kind === 'CONTACT' && force.normal >= 0) {
-          const centre = placed(poses, force.anchors[0]);
-          const normal = turned(poses(force.anchors[1][0]).q, force.direction);
-          const push = scale(normal, this.motion.value(force.normal, frame));
-          put(subtract(centre, scale(normal, force.radius)), push, FORCE);
+          const { at, normal } = this.touch(force, poses);
+          put(at, scale(normal, this.motion.value(force.normal, frame)), 'contact');
         }
       }
     }
     return found;
   }
 
-  poses(frame = this.motion.frame(this.time)) {
-    const known = new Map();
-    return body => {
-      let pose = known.get(body);
-      if (!pose) {
-        pose = this.motion.pose(body, frame);
-        known.set(body, pose);
-      }
-      return pose;
-    };
+  // Where a contact touches, and in which direction its surface pushes.
+  touch(force, poses) {
+    const centre = placed(poses, force.anchors[0]);
+    let normal = turned(poses(force.anchors[1][0]).q, force.direction);
+    if (norm(normal) === 0) {
+      normal = unit(subtract(centre, placed(poses, force.anchors[1])));
+    }
+    let down = normal;
+    if (norm(force.axle) > 0) {
+      const axle = turned(poses(force.anchors[0][0]).q, force.axle);
+      down = unit(subtract(normal, scale(axle, dot(axle, normal))));
+    }
+    return { at: subtract(centre, scale(down, force.radius)), normal };
   }
 
+  // Draws anew, unless everything is as it was.
   draw() {
-    const picture = this.picture;
+    const key = `${this.time} ${this.arrowKey} ${JSON.stringify(this.shown)} ${this.measures.length} ${this.picked.length}`;
+    if (key === this.drawnKey && !this.scene.changed) {
+      return;
+    }
+    this.drawnKey = key;
     const frame = this.motion.frame(this.time);
-    const poses = this.poses(frame);
-    if (this.follow >= 0) {
-      const place = poses(this.follow).p;
-      if (this.followed) {
-        this.camera.target = add(this.camera.target, subtract(place, this.followed));
-      }
-      this.followed = place;
-    }
-    this.camera.aspect = picture.begin(this.background);
-    const matrix = this.camera.matrix();
-    picture.look(matrix, this.light(), this.up, this.camera.axes().z);
-    const models = new Map();
-    const model = body => {
-      if (!models.has(body)) {
-        const pose = poses(body);
-        models.set(body, poseMatrix(pose.p, pose.q));
-      }
-      return models.get(body);
-    };
-    const solid = [];
-    for (const part of this.parts) {
-      const on = part.role === 'JOINT' ? this.shown.joints : this.shown.bodies;
-      if (on && part.opacity >= 1) {
-        solid.push([part.mesh, model(part.body), this.colour(part)]);
-      }
-    }
-    this.links(poses, solid);
-    const shadows = this.shown.floor && this.camera.eye()
-      && dot(this.camera.eye(), this.up) > this.floor;
-    if (this.shown.floor) {
-      this.layGrid();
-      picture.drawLines(this.gridLines, this.gridColour, 1);
-    }
-    solid.forEach(one => picture.drawMesh(...one));
-    if (shadows) {
-      const shade = this.dark ? [0, 0, 0, 0.35] : [0.1, 0.15, 0.2, 0.16];
-      picture.once(() => solid.forEach(([mesh, at]) =>
-        picture.drawMesh(mesh, product(this.shadow, at), shade, 0)));
-    }
-    this.traces(frame);
-    this.axes(poses);
+    const poses = this.motion.poses(frame);
+    this.scene.place(poses, this.follow);
     this.drawArrows(frame, poses);
-    for (const part of this.parts) {
-      if (part.opacity < 1 && this.shown.bodies) {
-        picture.drawMesh(part.mesh, model(part.body), [...this.colour(part).slice(0, 3), part.opacity]);
+    this.traces(frame);
+    if (this.shown.frames || this.framesDrawn) {
+      this.scene.drawAxes(this.shown.frames);
+      this.framesDrawn = this.shown.frames;
+    }
+    this.scene.render(this.shown.floor);
+    this.names(poses);
+  }
+
+  perNewton() {
+    const extent = this.data.extent;
+    return 0.25 * extent * 10 ** Number(element('arrows').value) / this.arrowScale;
+  }
+
+  drawArrows(frame, poses) {
+    const on = this.arrowScale > 0 && (this.shown.forces || this.shown.reactions);
+    if (!on && !this.arrowsDrawn) {
+      return;
+    }
+    this.arrowsDrawn = on;
+    const longest = 0.8 * this.data.extent;
+    const arrows = !on ? []
+      : this.forces(frame, poses, this.shown.forces, this.shown.reactions).map(({ at, force, kind }) => {
+        const length = norm(force) * this.perNewton();
+        return { at, kind, along: scale(force, Math.min(length, longest) / norm(force)) };
+      });
+    this.scene.drawArrows(arrows);
+  }
+
+  // What the colours of the arrows mean, and how long they are.
+  legend() {
+    const kinds = [];
+    if (this.shown.forces) {
+      kinds.push('force');
+      if (this.data.forces.some(force => force.kind === 'CONTACT' && force.normal >= 0)) {
+        kinds.push('contact');
       }
     }
-    this.names(matrix, poses);
-  }
-
-  colour(part) {
-    const colour = rgb(part.colour);
-    if (part.body === this.selected && part.role === 'BODY' && this.selected >= 0) {
-      return colour.map((x, i) => (i < 3 ? Math.min(1, x * 0.5 + [0.5, 0.42, 0.05][i]) : x));
+    if (this.shown.reactions) {
+      kinds.push('reaction');
     }
-    return this.dark && part.role === 'JOINT' ? [0.55, 0.6, 0.66, 1] : colour;
-  }
-
-  links(poses, solid) {
-    const coils = [];
-    for (const link of this.data.links) {
-      const [from, to] = [placed(poses, link.from), placed(poses, link.to)];
-      if (link.kind === 'SPRING' && this.shown.bodies) {
-        this.coil(coils, from, to);
-      } else if (this.shown.bodies && norm(subtract(to, from)) > 0) {
-        const width = (link.kind === 'ROD' ? 0.01 : 0.015) * this.data.extent;
-        solid.push([this.rod, spanMatrix(from, to, width), rgb(link.colour)]);
-      }
+    const lines = kinds.map(kind => {
+      const item = make('li', ARROWS[kind].label);
+      const swatch = make('i');
+      swatch.style.background = `#${ARROWS[kind].colour.toString(16).padStart(6, '0')}`;
+      item.append(swatch);
+      return item;
+    });
+    if (lines.length && this.arrowScale > 0) {
+      const newtons = 0.1 * this.data.extent / this.perNewton();
+      lines.push(make('li', `${short(0.1 * this.data.extent)} m of arrow: ${short(newtons)} N`));
     }
-    this.coils = this.picture.segments(coils, this.coils);
-    this.picture.drawLines(this.coils, rgb(0x2f9e77), 2.2);
-  }
-
-  coil(lines, from, to) {
-    const way = subtract(to, from);
-    const length = norm(way);
-    const z = unit(way);
-    const x = unit(cross(Math.abs(z[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0], z));
-    const y = cross(z, x);
-    const radius = Math.min(0.025 * this.data.extent, 0.3 * length);
-    const point = share => {
-      const wide = share > 0.1 && share < 0.9 ? radius : 0;
-      const angle = 16 * Math.PI * (share - 0.1) / 0.8;
-      return add(add(from, scale(way, share)),
-        add(scale(x, wide * Math.cos(angle)), scale(y, wide * Math.sin(angle))));
-    };
-    for (let i = 0; i < 120; i++) {
-      lines.push(...point(i / 120), ...point((i + 1) / 120));
-    }
+    element('legend').replaceChildren(...lines);
   }
 
   traces(frame) {
     if (!this.shown.traces) {
+      if (this.traced) {
+        this.traced.forEach(key => this.scene.dropLine(key));
+        this.traced = undefined;
+      }
       return;
     }
-    if (!this.paths) {
-      this.paths = this.data.bodies.map((body, index) => {
+    if (!this.traced) {
+      this.traced = this.data.bodies.map((body, index) => {
         const points = [];
         for (let at = 0; at < this.motion.count; at++) {
           const pose = this.motion.pose(index, { at, next: at, share: 0 });
           points.push(add(pose.p, turned(pose.q, body.centre)));
         }
-        const lines = points.slice(1).flatMap((point, i) => [...points[i], ...point]);
-        return this.picture.segments(lines, this.stalePaths?.[index]);
+        const key = `trace ${index}`;
+        this.scene.dropLine(key);
+        this.scene.line(key, points.slice(1).map((point, i) => [points[i], point]), body.colour, 2);
+        return key;
       });
     }
-    this.data.bodies.forEach((body, index) => {
-      if (this.selected < 0 || this.selected === index) {
-        this.picture.drawLines(this.paths[index], rgb(body.colour, 0.9), 1.6, frame.at);
-      }
+    this.traced.forEach((key, index) => {
+      const on = this.selected < 0 || this.selected === index;
+      this.scene.line(key, undefined, 0, 2, on ? frame.at : 0);
     });
   }
 
-  axes(poses) {
-    if (!this.shown.frames) {
-      return;
-    }
-    const length = 0.08 * this.data.extent;
-    this.axisLines = this.axisLines || [];
-    [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((axis, i) => {
-      const lines = [];
-      for (let body = -1; body < this.data.bodies.length; body++) {
-        const pose = poses(body);
-        lines.push(...pose.p, ...add(pose.p, turned(pose.q, scale(axis, length))));
-      }
-      this.axisLines[i] = this.picture.segments(lines, this.axisLines[i]);
-      const colour = [[0.85, 0.2, 0.2, 1], [0.15, 0.6, 0.2, 1], [0.25, 0.4, 0.95, 1]][i];
-      this.picture.drawLines(this.axisLines[i], colour, 2.2);
-    });
-  }
-
-  drawArrows(frame, poses) {
-    if (!(this.arrowScale > 0)) {
-      return;
-    }
-    const extent = this.data.extent;
-    const perNewton = 0.25 * extent * 10 ** Number(element('arrows').value) / this.arrowScale;
-    for (const arrow of this.arrows(frame, poses, this.shown.forces, this.shown.reactions)) {
-      const length = Math.min(norm(arrow.force) * perNewton, 1.5 * extent);
-      if (length < 0.004 * extent) {
-        continue;
-      }
-      const way = unit(arrow.force);
-      const head = Math.min(0.05 * extent, 0.4 * length);
-      const neck = add(arrow.at, scale(way, length - head));
-      this.picture.drawMesh(this.rod, spanMatrix(arrow.at, neck, 0.16 * head), arrow.colour);
-      this.picture.drawMesh(
-        this.tip, spanMatrix(neck, add(neck, scale(way, head)), 0.4 * head), arrow.colour);
-    }
-  }
-
-  // Puts names beside bodies; a name that would cover one before it is left out.
-  names(matrix, poses) {
+  // Puts names beside bodies; a name that would cover one before it is left out. Draws measures.
+  names(poses) {
     const labels = element('labels');
-    labels.hidden = !this.shown.names && this.selected < 0;
-    if (labels.hidden) {
+    if (!this.tags) {
+      this.tags = this.data.bodies.map(body => make('span', body.name, { hidden: true }));
+      labels.replaceChildren(...this.tags);
+    }
+    this.drawMeasures(poses);
+    if (!this.shown.names && this.selected < 0 && !this.named) {
       return;
     }
-    if (!labels.children.length) {
-      this.data.bodies.forEach(body => {
-        const label = document.createElement('span');
-        label.textContent = body.name;
-        labels.append(label);
-      });
-      this.labelSizes = [...labels.children].map(label => [label.offsetWidth, label.offsetHeight]);
-    }
+    this.named = this.shown.names || this.selected >= 0;
     const taken = [];
     const order = this.data.bodies.map((body, index) => index);
     order.sort((a, b) => (b === this.selected) - (a === this.selected));
     for (const index of order) {
-      const label = labels.children[index];
-      const pose = poses(index);
-      const point = add(pose.p, turned(pose.q, this.data.bodies[index].centre));
-      const clip = [0, 1, 3].map(row =>
-        matrix[row] * point[0] + matrix[4 + row] * point[1] + matrix[8 + row] * point[2] + matrix[12 + row]);
-      const [width, height] = this.labelSizes[index];
-      const x = (clip[0] / clip[2] + 1) / 2 * this.canvas.clientWidth + 8;
-      const y = (1 - clip[1] / clip[2]) / 2 * this.canvas.clientHeight - height - 2;
-      const free = taken.every(([a, b, w, h]) =>
-        x > a + w || a > x + width || y > b + h || b > y + height);
+      const tag = this.tags[index];
       const wanted = this.shown.names || index === this.selected;
-      label.hidden = !(wanted && clip[2] > 0 && free);
-      if (!label.hidden) {
+      const pose = wanted && poses(index);
+      const place = pose && this.scene.project(add(pose.p, turned(pose.q, this.data.bodies[index].centre)));
+      if (!place) {
+        tag.hidden = true;
+        continue;
+      }
+      tag.hidden = false;
+      tag.size ??= [tag.offsetWidth, tag.offsetHeight];
+      const [width, height] = tag.size;
+      const x = place[0] + 8;
+      const y = place[1] - height - 2;
+      tag.hidden = !taken.every(([a, b, w, h]) => x > a + w || a > x + width || y > b + h || b > y + height);
+      if (!tag.hidden) {
         taken.push([x, y, width, height]);
-        label.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+        tag.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
       }
     }
+  }
+
+  // ---- measures ----
+
+  measureMode(mode) {
+    this.mode = this.mode === mode ? undefined : mode;
+    this.picked = [];
+    for (const id of ['distance', 'angle']) {
+      element(id).setAttribute('aria-pressed', String(this.mode === id));
+    }
+    element('stage').classList.toggle('measures', Boolean(this.mode));
+  }
+
+  // A point that the reader has pointed at, in axes of its body.
+  pickPoint({ body, point }) {
+    const { p, q } = this.poses()(body);
+    this.picked.push([body, ...turnedBack(q, subtract(point, p))]);
+    if (this.picked.length === (this.mode === 'angle' ? 3 : 2)) {
+      this.addMeasure(this.mode, this.picked);
+      this.measureMode(this.mode);
+    }
+  }
+
+  addMeasure(kind, points) {
+    const number = this.measures.length + 1;
+    const name = kind === 'angle' ? `angle ${number}` : `distance ${number}`;
+    const times = this.motion.times;
+    const values = Float32Array.from(times, (_, at) =>
+      this.measured(kind, points, this.motion.poses({ at, next: at, share: 0 })));
+    const measure = { kind, points, name, unit: kind === 'angle' ? '°' : 'm', times, values, offset: 0 };
+    this.measures.push(measure);
+    const item = make('li', `${name}: ${points.map(([body]) => this.bodyName(body)).join(' – ')} `);
+    const value = make('b');
+    const gone = make('button', 'Remove', { type: 'button', className: 'quiet' });
+    gone.addEventListener('click', () => {
+      this.measures.splice(this.measures.indexOf(measure), 1);
+      item.remove();
+      this.charts.forEach(chart => this.setColumns(chart, chart.columns.filter(one => one !== measure)));
+    });
+    item.append(value, gone);
+    element('measures').append(item);
+    measure.shown = value;
+    this.addChart([measure]);
+  }
+
+  bodyName(body) {
+    return body < 0 ? this.data.rootName : this.data.bodies[body].name;
+  }
+
+  measured(kind, points, poses) {
+    const places = points.map(point => placed(poses, point));
+    if (kind === 'distance') {
+      return norm(subtract(places[0], places[1]));
+    }
+    const [a, b] = [subtract(places[0], places[1]), subtract(places[2], places[1])];
+    return Math.atan2(norm(cross(a, b)), dot(a, b)) * 180 / Math.PI;
+  }
+
+  drawMeasures(poses) {
+    const wanted = [...this.measures.map(one => one.points), ...(this.picked.length ? [this.picked] : [])];
+    if (!wanted.length) {
+      this.sheet?.remove();
+      this.sheet = undefined;
+      return;
+    }
+    if (!this.sheet) {
+      this.sheet = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+      element('labels').prepend(this.sheet);
+    }
+    const drawn = wanted.flatMap(points => {
+      const places = points.map(point => this.scene.project(placed(poses, point))).filter(Boolean);
+      const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+      path.setAttribute('d', places.map(([x, y], i) => `${i ? 'L' : 'M'}${x.toFixed(1)} ${y.toFixed(1)}`).join(''));
+      return [path, ...places.map(([x, y]) => {
+        const spot = document.createElementNS('http://www.w3.org/2000/svg', 'circle');
+        spot.setAttribute('cx', x.toFixed(1));
+        spot.setAttribute('cy', y.toFixed(1));
+        spot.setAttribute('r', '4');
+        return spot;
+      })];
+    });
+    this.sheet.replaceChildren(...drawn);
+    this.measures.forEach(one => {
+      one.shown.textContent = `${short(this.measured(one.kind, one.points, poses))} ${one.unit}`;
+    });
   }
 
   // ---- time ----
@@ -508,10 +416,10 @@ export class Player {
       this.seek(time);
     }
     const began = performance.now();
-    if (this.picture.gl) {
+    if (this.scene.works && !this.filming) {
       this.draw();
     }
-    this.charts.forEach(chart => chart.draw(this.time, this.colours));
+    this.charts.forEach(chart => chart.curves.draw(this.time, this.colours));
     this.frameTimes.push(performance.now() - began);
     if (this.frameTimes.length > 240) {
       this.frameTimes.shift();
@@ -558,9 +466,37 @@ export class Player {
     return this.data.columns.findIndex(column => column[0] === name);
   }
 
+  // Kinetic energy of a body, J, if the run has its velocities.
+  kinetic(index, frame) {
+    const body = this.data.bodies[index];
+    if (!(body.mass > 0) || body.speed < 0) {
+      return undefined;
+    }
+    const { q } = this.motion.pose(index, frame);
+    const turning = this.motion.vector(body.speed + 3, frame);
+    const centre = add(this.motion.vector(body.speed, frame), cross(turning, turned(q, body.centre)));
+    const [x, y, z] = turnedBack(q, turning);
+    const [xx, yy, zz, xy, xz, yz] = body.inertia;
+    return body.mass * dot(centre, centre) / 2
+      + (xx * x * x + yy * y * y + zz * z * z) / 2 + xy * x * y + xz * x * z + yz * y * z;
+  }
+
   tell() {
     const frame = this.motion.frame(this.time);
     const lines = [];
+    if (this.selected >= 0) {
+      const body = this.data.bodies[this.selected];
+      const pose = this.motion.pose(this.selected, frame);
+      const place = pose.p.map((x, i) => short(x + this.data.origin[i]));
+      lines.push([body.name, body.mass > 0 ? `${short(body.mass)} kg` : 'without mass']);
+      lines.push(['at', `(${place.join(', ')}) m`]);
+      const angle = 2 * Math.atan2(norm(pose.q.slice(1)), Math.abs(pose.q[0])) * 180 / Math.PI;
+      lines.push(['turned by', `${short(angle)}° about (${unit(scale(pose.q.slice(1), Math.sign(pose.q[0]) || 1)).map(short).join(', ')})`]);
+      const kinetic = this.kinetic(this.selected, frame);
+      if (kinetic !== undefined) {
+        lines.push(['kinetic energy', `${short(kinetic)} J`]);
+      }
+    }
     if (this.energy) {
       const [kinetic, potential] = this.energy.map(column => this.motion.value(column, frame));
       lines.push(['energy', `${short(kinetic + potential)} J`]);
@@ -570,11 +506,6 @@ export class Player {
     }
     if (this.residual >= 0) {
       lines.push(['constraint residual', `${short(this.motion.value(this.residual, frame))} m`]);
-    }
-    if (this.selected >= 0) {
-      const pose = this.motion.pose(this.selected, frame);
-      const place = pose.p.map((x, i) => short(x + this.data.origin[i]));
-      lines.push([this.data.bodies[this.selected].name, `(${place.join(', ')}) m`]);
     }
     const readout = element('readout');
     while (readout.children.length > 2 * lines.length) {
@@ -589,18 +520,37 @@ export class Player {
         readout.children[at].textContent = text;
       }
     }));
-    this.legends?.forEach(({ node, one, unit }) => {
-      const text = `${short(this.motion.value(one.column, frame) + one.offset)} ${unit}`;
-      node.textContent = text;
-    });
+    for (const chart of this.charts) {
+      chart.values.forEach(({ node, one }) => {
+        node.textContent = `${short(valueAt(one, this.time))} ${unitOf(one.unit)}`;
+      });
+    }
   }
 
-  // The columns of each thing that can be chosen.
+  // ---- curves ----
+
+  // The columns of each thing that has some.
   groups() {
     const groups = [];
-    const columns = this.data.columns.map(([name, unit], column) => ({ name, unit, column, offset: 0 }));
+    const largest = new Map();
+    this.columns = this.data.columns.map(([name, unit], column) => ({ name, unit, column, offset: 0 }));
+    for (const one of this.columns) {
+      const values = this.motion.column(one.column);
+      let most = 0;
+      for (let i = 0; i < values.length; i += 1 + (values.length >> 9)) {
+        most = Math.max(most, Math.abs(values[i]) || 0);
+      }
+      largest.set(one.unit, Math.max(largest.get(one.unit) || 0, most));
+    }
+    // what is so small beside the largest value of its unit in this run is a zero
+    this.zero = unit => 1e-9 * (largest.get(unit) || 0);
+    const owned = new Map();
+    for (const one of this.columns) {
+      const owner = one.name.slice(0, Math.max(0, one.name.lastIndexOf('.')));
+      owned.set(owner, [...(owned.get(owner) || []), one]);
+    }
     const put = (label, kind, name, wanted) => {
-      const found = columns.filter(one => one.name.startsWith(`${name}.`) && wanted(one.name.slice(name.length + 1)));
+      const found = (owned.get(name) || []).filter(one => wanted(one.name.slice(name.length + 1)));
       if (found.length) {
         groups.push({ label, kind, name, columns: found });
       }
@@ -610,10 +560,10 @@ export class Player {
     this.data.bodies.forEach((body, index) => {
       put(`Body ${body.name}`, 'body', body.name, end => /^([xyz]|v[xyz]|w[xyz])$/.test(end));
       if (body.pose >= 0) {
-        [0, 1, 2].forEach(i => { columns[body.pose + i].offset = this.data.origin[i]; });
+        [0, 1, 2].forEach(i => { this.columns[body.pose + i].offset = this.data.origin[i]; });
       }
       const last = groups[groups.length - 1];
-      if (last?.kind === 'body') {
+      if (last?.kind === 'body' && last.name === body.name) {
         last.body = index;
       }
     });
@@ -621,55 +571,199 @@ export class Player {
       put(`Joint ${joint.name}`, 'joint', joint.name, end => /^([qva](\[\d+\])?|[ft][xyz]|drive.*)$/.test(end)));
     this.data.forces.forEach(force => put(`Force ${force.name}`, 'force', force.name, () => true));
     const used = new Set(groups.flatMap(group => group.columns.map(one => one.column)));
-    const others = columns.filter(one => one.column > 0 && !used.has(one.column) && !/\.e[0-3]$/.test(one.name));
+    const others = this.columns.filter(one => one.column > 0 && !used.has(one.column) && !/\.e[0-3]$/.test(one.name));
     if (others.length) {
       groups.push({ label: 'Other columns', kind: 'run', name: '', columns: others });
     }
     return groups;
   }
 
+  series(column) {
+    return column.values ? column
+      : { ...column, times: this.motion.times, values: this.motion.column(column.column), floor: this.zero(column.unit) };
+  }
+
+  addChart(columns) {
+    const figure = make('figure');
+    const caption = make('figcaption');
+    const canvas = make('canvas');
+    canvas.setAttribute('role', 'img');
+    figure.append(caption, canvas);
+    element('curves').append(figure);
+    element('curves').hidden = false;
+    const curves = new Curves(canvas, time => {
+      this.play(false);
+      this.seek(time);
+    });
+    const chart = { figure, caption, canvas, curves, columns, values: [] };
+    figure.addEventListener('pointerdown', () => this.activate(chart));
+    this.charts.push(chart);
+    this.activate(chart);
+    this.fill(chart);
+    this.tickTree();
+    return chart;
+  }
+
+  activate(chart) {
+    this.active = chart;
+    this.charts.forEach(one => one.figure.classList.toggle('active', one === chart));
+    this.tickTree();
+  }
+
+  dropChart(chart) {
+    chart.figure.remove();
+    this.charts.splice(this.charts.indexOf(chart), 1);
+    this.active = this.charts[this.charts.length - 1];
+    this.charts.forEach(one => one.figure.classList.toggle('active', one === this.active));
+    element('curves').hidden = this.charts.length === 0;
+    this.tickTree();
+  }
+
+  setColumns(chart, columns) {
+    chart.columns = columns;
+    if (columns.length) {
+      this.fill(chart);
+    } else {
+      this.dropChart(chart);
+    }
+    this.tickTree();
+  }
+
+  // Draws the curves of a diagram anew, those of another run dashed beside them.
+  fill(chart) {
+    const series = [];
+    chart.values = [];
+    const common = commonStart(chart.columns.map(column => column.name));
+    chart.caption.replaceChildren();
+    chart.columns.forEach((column, i) => {
+      const colour = this.seriesColours[i % SERIES];
+      const one = { ...this.series(column), colour };
+      series.push(one);
+      const label = make('span');
+      const line = make('i');
+      line.style.background = colour;
+      const node = make('span');
+      label.append(line, `${i ? column.name.slice(common.length) : column.name} `, node);
+      label.title = column.name;
+      chart.caption.append(label);
+      chart.values.push({ node, one });
+      const other = this.other?.columns.get(column.name);
+      if (other) {
+        series.push({ ...one, name: `${column.name} (${this.other.name})`, times: this.other.times,
+          values: other, offset: 0, dashed: true });
+      }
+    });
+    const saves = make('span', '', { className: 'saves' });
+    const file = `${this.data.name}-${chart.columns[0].name}`.replace(/[^\w.-]+/g, '_');
+    const button = (text, label, act) => {
+      const one = make('button', text, { type: 'button', className: 'quiet' });
+      one.setAttribute('aria-label', label);
+      one.addEventListener('click', act);
+      saves.append(one);
+    };
+    const names = chart.columns.map(column => column.name).join(', ');
+    button('SVG', `Save ${names} as SVG`, () => save(`${file}.svg`, chart.curves.svg(this.colours), 'image/svg+xml'));
+    button('PNG', `Save ${names} as PNG`, () => chart.curves.png(this.colours).toBlob(blob => save(`${file}.png`, blob)));
+    button('CSV', `Save ${names} as CSV`, () => save(`${file}.csv`, chart.curves.csv(), 'text/csv'));
+    button('×', `Remove the diagram of ${names}`, () => this.dropChart(chart));
+    chart.caption.append(saves);
+    const units = [...new Set(chart.columns.map(column => column.unit))].join(', ');
+    chart.canvas.setAttribute('aria-label', `${names} over time, in ${units}`);
+    chart.curves.show(series);
+    this.tell();
+  }
+
+  // Shows the columns of one thing, those of one unit in one diagram.
   showCurves(index) {
-    const section = element('curves');
-    section.replaceChildren();
-    this.charts = [];
-    this.legends = [];
+    [...this.charts].forEach(chart => this.dropChart(chart));
     const group = this.curveGroups[index];
-    section.hidden = !group;
-    if (!group) {
+    if (group) {
+      const units = new Map();
+      for (const one of group.columns) {
+        units.set(one.unit, [...(units.get(one.unit) || []), one]);
+      }
+      [...units.values()].slice(0, 4).forEach(ones => this.addChart(ones.slice(0, SERIES)));
+      this.activate(this.charts[0]);
+    }
+  }
+
+  // All columns, those of a joint, body or force together; each can be put into the chosen diagram.
+  makeTree() {
+    const box = element('columns');
+    const kinds = { joint: 'Joints', body: 'Bodies', force: 'Forces', run: 'The run' };
+    this.ticks = [];
+    const branch = (title, inner, open = false) => {
+      const details = make('details', '', { open });
+      details.append(make('summary', title), ...inner);
+      return details;
+    };
+    for (const [kind, title] of Object.entries(kinds)) {
+      const groups = this.curveGroups.filter(group => group.kind === kind);
+      if (groups.length) {
+        box.append(branch(title, groups.map(group => branch(group.name || group.label, group.columns.map(column => {
+          const label = make('label');
+          const tick = make('input', '', { type: 'checkbox' });
+          tick.addEventListener('change', () => this.toggleColumn(column, tick.checked));
+          this.ticks.push({ tick, column, label });
+          const end = group.name ? column.name.slice(group.name.length + 1) : column.name;
+          label.append(tick, make('span', end), make('small', unitOf(column.unit)));
+          tick.setAttribute('aria-label', column.name);
+          return label;
+        }))), true));
+      }
+    }
+    const more = make('button', 'New diagram', { type: 'button' });
+    more.addEventListener('click', () => {
+      this.active = undefined;
+      this.charts.forEach(chart => chart.figure.classList.remove('active'));
+      this.tickTree();
+    });
+    element('tree').insertBefore(more, box);
+    element('find').addEventListener('input', () => {
+      const wanted = element('find').value.toLowerCase();
+      this.ticks.forEach(({ label, column }) => { label.hidden = !column.name.toLowerCase().includes(wanted); });
+      box.querySelectorAll('details details').forEach(details => {
+        details.hidden = !details.querySelector('label:not([hidden])');
+        details.open = wanted !== '' && !details.hidden;
+      });
+    });
+  }
+
+  toggleColumn(column, on) {
+    if (on && !this.active) {
+      this.addChart([column]);
+    } else if (on) {
+      this.setColumns(this.active, [...this.active.columns, column]);
+    } else if (this.active) {
+      this.setColumns(this.active, this.active.columns.filter(one => one !== column));
+    }
+  }
+
+  tickTree() {
+    this.ticks?.forEach(({ tick, column }) => { tick.checked = Boolean(this.active?.columns.includes(column)); });
+  }
+
+  // Another run's columns, drawn dashed over those of this one.
+  compare(name, times, columns) {
+    this.other = { name, times, columns };
+    this.charts.forEach(chart => this.fill(chart));
+  }
+
+  async openOther(file) {
+    const said = element('other-said');
+    const [head, ...lines] = (await file.text()).split(/\r?\n/).filter(Boolean);
+    const names = head.match(/("([^"]|"")*"|[^,]*)(,|$)/g).map(name =>
+      name.replace(/,$/, '').replace(/^"|"$/g, '').replace(/""/g, '"'));
+    const rows = lines.map(line => line.split(',').map(Number));
+    if (names[0] !== 't' || !rows.length) {
+      said.textContent = `${file.name} is no result file: its first column must be t, and it needs a row.`;
       return;
     }
-    const units = new Map();
-    for (const one of group.columns) {
-      units.set(one.unit, [...(units.get(one.unit) || []), one]);
-    }
-    for (const [unit, ones] of [...units].slice(0, 4)) {
-      const figure = document.createElement('figure');
-      const caption = document.createElement('figcaption');
-      const canvas = document.createElement('canvas');
-      const shown = ones.slice(0, SERIES.length);
-      shown.forEach((one, i) => {
-        const label = document.createElement('span');
-        const line = document.createElement('i');
-        line.style.background = SERIES[i];
-        const value = document.createElement('span');
-        label.append(line, `${group.name ? one.name.slice(group.name.length + 1) : one.name} `, value);
-        caption.append(label);
-        this.legends.push({ node: value, one, unit: unit === '1' ? '' : unit });
-      });
-      canvas.setAttribute('role', 'img');
-      canvas.setAttribute('aria-label', `${group.label}: ${shown.map(one => one.name).join(', ')} over time, in ${unit}`);
-      figure.append(caption, canvas);
-      section.append(figure);
-      const chart = new Curves(canvas, time => {
-        this.play(false);
-        this.seek(time);
-      });
-      chart.show(this.motion.times, shown.map((one, i) => ({
-        values: this.motion.column(one.column), column: one.column, offset: one.offset, colour: SERIES[i],
-      })));
-      this.charts.push(chart);
-    }
-    this.tell();
+    const columns = new Map(names.map((name, i) => [name, rows.map(row => row[i])]));
+    const shared = this.columns.filter(one => one.column > 0 && columns.has(one.name)).length;
+    said.textContent = shared ? `${file.name}: ${rows.length} rows, ${shared} columns of this run.`
+      : `${file.name} has no column of this run.`;
+    this.compare(file.name, columns.get('t'), columns);
   }
 
   // Marks the events along the time.
@@ -691,24 +785,80 @@ export class Player {
     this.data.change = energy;
     this.data.events = events;
     this.motion = new Motion(this.data);
-    this.stalePaths = this.paths || this.stalePaths;
-    this.paths = undefined;
+    this.traced?.forEach(key => this.scene.dropLine(key));
+    this.traced = undefined;
+    this.drawnKey = undefined;
     element('time').min = String(this.motion.start);
     element('time').max = String(this.motion.end);
     this.mark();
-    this.charts.forEach(chart => chart.show(this.motion.times, chart.series.map(one =>
-      ({ ...one, values: this.motion.column(one.column) }))));
+    for (const one of this.measures) {
+      one.times = this.motion.times;
+      one.values = Float32Array.from(one.times, (_, at) =>
+        this.measured(one.kind, one.points, this.motion.poses({ at, next: at, share: 0 })));
+    }
+    this.charts.forEach(chart => this.fill(chart));
     this.seek(this.time);
   }
 
-  select(body) {
+  // ---- bodies ----
+
+  select(body, curves = true) {
     this.selected = body;
-    const at = this.curveGroups.findIndex(group => group.kind === 'body' && group.body === body);
-    if (at >= 0) {
-      element('curves-of').value = String(at);
-      this.showCurves(at);
+    this.scene.select(body);
+    element('body').value = String(body);
+    element('acts').hidden = body < 0;
+    if (curves) {
+      const at = this.curveGroups.findIndex(group => group.kind === 'body' && group.body === body);
+      if (at >= 0) {
+        element('curves-of').value = String(at);
+        this.showCurves(at);
+      }
     }
+    this.pressActs();
     this.tell();
+  }
+
+  pressActs() {
+    const style = this.scene.styles.get(this.selected);
+    element('acts').querySelectorAll('button').forEach(button => {
+      const { act } = button.dataset;
+      const on = act === 'hide' ? style === 'hidden' : act === 'ghost' ? style === 'ghost'
+        : act === 'follow' ? this.follow === this.selected : this.alone === this.selected;
+      button.setAttribute('aria-pressed', String(on));
+    });
+  }
+
+  act(what) {
+    const body = this.selected;
+    if (what === 'all') {
+      this.scene.showAll();
+      this.alone = undefined;
+    } else if (body < 0) {
+      return;
+    } else if (what === 'follow') {
+      this.setFollow(this.follow === body ? -2 : body);
+    } else if (what === 'alone') {
+      if (this.alone === body) {
+        this.act('all');
+        return;
+      }
+      this.scene.isolate(body);
+      this.alone = body;
+    } else {
+      const style = what === 'hide' ? 'hidden' : 'ghost';
+      this.scene.style(body, this.scene.styles.get(body) === style ? 'shown' : style);
+      this.alone = undefined;
+    }
+    this.pressActs();
+  }
+
+  setFollow(body) {
+    this.follow = body;
+    element('follow').value = String(body);
+    if (this.scene.works) {
+      this.scene.followed = undefined;
+      this.fit();
+    }
   }
 
   // ---- controls ----
@@ -718,9 +868,9 @@ export class Player {
     const motion = this.motion;
     document.title = `${data.name} – MechService`;
     element('name').textContent = data.name;
-    const count = (number, word) => `${number} ${word}${number === 1 ? '' : 's'}`;
+    const count = (number, word, words = `${word}s`) => `${number} ${number === 1 ? word : words}`;
     element('summary').textContent = [
-      data.bodies.length === 1 ? '1 body' : `${data.bodies.length} bodies`,
+      count(data.bodies.length, 'body', 'bodies'),
       count(data.joints.length, 'joint'),
       count(motion.count, 'frame')].join(', ');
     const duration = motion.end - motion.start;
@@ -751,45 +901,63 @@ export class Player {
 
     for (const [id, label] of SHOWN) {
       if (this.available(id)) {
-        const box = document.createElement('input');
-        box.type = 'checkbox';
-        box.id = `show-${id}`;
-        box.checked = this.shown[id];
-        box.addEventListener('change', () => { this.shown[id] = box.checked; });
-        const text = document.createElement('label');
+        const box = make('input', '', { type: 'checkbox', id: `show-${id}`, checked: this.shown[id] });
+        box.addEventListener('change', () => this.show(id, box.checked));
+        const text = make('label');
         text.append(box, ` ${label}`);
         element('toggles').append(text);
       }
     }
+    element('arrow-size').hidden = !this.available('forces') && !this.available('reactions');
+    element('arrows').addEventListener('input', () => {
+      this.arrowKey = element('arrows').value;
+      this.legend();
+    });
+    const body = element('body');
+    body.append(new Option('none', '-2'));
     const follow = element('follow');
     follow.append(new Option('nothing', '-2'));
-    data.bodies.forEach((body, index) => follow.append(new Option(body.name, String(index))));
-    follow.addEventListener('change', () => {
-      this.follow = Number(follow.value);
-      this.followed = undefined;
-      if (this.picture.gl) {
-        this.fit();
-      }
-      this.select(Math.max(-1, this.follow));
+    data.bodies.forEach(({ name }, index) => {
+      body.append(new Option(name, String(index)));
+      follow.append(new Option(name, String(index)));
     });
+    body.addEventListener('change', () => this.select(Number(body.value)));
+    follow.addEventListener('change', () => {
+      this.setFollow(Number(follow.value));
+      this.select(this.follow);
+    });
+    element('acts').addEventListener('click', event => this.act(event.target.dataset.act));
+    element('all').addEventListener('click', () => this.act('all'));
+    for (const id of ['distance', 'angle']) {
+      element(id).addEventListener('click', () => this.measureMode(id));
+    }
     this.curveGroups = this.groups();
+    this.makeTree();
     const curves = element('curves-of');
     curves.append(new Option('nothing', '-1'));
     this.curveGroups.forEach((group, index) => curves.append(new Option(group.label, String(index))));
     curves.addEventListener('change', () => this.showCurves(Number(curves.value)));
     const first = this.curveGroups.length ? 0 : -1;
     curves.value = String(first);
+    element('other').addEventListener('change', event => {
+      const [file] = event.target.files;
+      if (file) {
+        this.openOther(file);
+      }
+    });
+    element('png').addEventListener('click', () => this.savePicture());
     for (const [label, text] of data.facts) {
-      const term = document.createElement('dt');
-      const value = document.createElement('dd');
-      term.textContent = label;
-      value.textContent = text;
-      element('facts').append(term, value);
+      element('facts').append(make('dt', label), make('dd', text));
     }
     element('about').hidden = data.facts.length === 0;
     document.querySelectorAll('#views [data-view]').forEach(button =>
       button.addEventListener('click', () => this.look(button.dataset.view)));
     element('fit').addEventListener('click', () => this.fit());
+    const panel = element('panel');
+    panel.addEventListener('click', () => {
+      const hidden = document.querySelector('main').classList.toggle('wide');
+      panel.setAttribute('aria-expanded', String(!hidden));
+    });
     document.addEventListener('keydown', event => this.key(event));
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.readColours());
     this.seek(motion.start);
@@ -797,9 +965,21 @@ export class Player {
     this.play(duration > 0 && !matchMedia('(prefers-reduced-motion: reduce)').matches);
   }
 
+  show(id, on) {
+    this.shown[id] = on;
+    const role = { bodies: 'BODY', joints: 'JOINT', inertia: 'INERTIA' }[id];
+    if (role) {
+      this.scene.showRole(role, on);
+    }
+    this.legend();
+  }
+
   available(id) {
     if (id === 'reactions') {
       return this.data.joints.some(joint => joint.reaction >= 0 && joint.type !== 'F');
+    }
+    if (id === 'inertia') {
+      return this.data.parts.some(part => part.role === 'INERTIA');
     }
     return id !== 'forces' || this.data.links.some(link => link.tension >= 0)
       || this.data.forces.some(force => force.force >= 0 || force.normal >= 0);
@@ -809,126 +989,128 @@ export class Player {
     if (event.ctrlKey || event.altKey || event.metaKey) {
       return;
     }
-    const field = event.target.closest?.('select, input, summary, button');
+    const field = event.target.closest?.('select, input, summary, button, textarea');
     if (field && field.id !== 'time' && (event.key === ' ' || field.tagName === 'SELECT'
-      || field.type === 'range')) {
+      || (field.tagName === 'INPUT' && field.type !== 'checkbox'))) {
       return;
     }
     const turn = 0.1;
+    const { scene } = this;
+    const choose = step => {
+      const many = this.data.bodies.length;
+      this.select(this.selected < 0 ? (step > 0 ? 0 : many - 1) : (this.selected + step + many) % many, false);
+    };
     const keys = {
       ' ': () => this.play(!this.playing),
-      ArrowLeft: () => (event.shiftKey ? this.camera.turn(-turn, 0) : this.stepFrames(-1)),
-      ArrowRight: () => (event.shiftKey ? this.camera.turn(turn, 0) : this.stepFrames(1)),
-      ArrowUp: () => event.shiftKey && this.camera.turn(0, turn),
-      ArrowDown: () => event.shiftKey && this.camera.turn(0, -turn),
+      ArrowLeft: () => (event.shiftKey ? scene.turn(-turn, 0) : this.stepFrames(-1)),
+      ArrowRight: () => (event.shiftKey ? scene.turn(turn, 0) : this.stepFrames(1)),
+      ArrowUp: () => event.shiftKey && scene.turn(0, turn),
+      ArrowDown: () => event.shiftKey && scene.turn(0, -turn),
       Home: () => this.seek(this.motion.start),
       End: () => this.seek(this.motion.end),
       '+': () => this.setSpeed(SPEEDS.indexOf(this.speed) + 1),
       '-': () => this.setSpeed(SPEEDS.indexOf(this.speed) - 1),
       l: () => { element('loop').checked = !element('loop').checked; },
       f: () => this.fit(),
-      PageUp: () => this.camera.zoom(0.85),
-      PageDown: () => this.camera.zoom(1 / 0.85),
+      n: () => choose(1),
+      p: () => choose(-1),
+      h: () => this.act('hide'),
+      g: () => this.act('ghost'),
+      i: () => this.act('alone'),
+      a: () => this.act('all'),
+      Escape: () => { this.measureMode(undefined); this.select(-2, false); },
+      PageUp: () => scene.zoom(0.85),
+      PageDown: () => scene.zoom(1 / 0.85),
       1: () => this.look('iso'),
       2: () => this.look('front'),
       3: () => this.look('side'),
       4: () => this.look('top'),
     };
     const act = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
-    if (act && (this.picture.gl || !['f', '1', '2', '3', '4'].includes(event.key))) {
+    const seen = ['f', '1', '2', '3', '4', 'PageUp', 'PageDown'].includes(event.key) || event.shiftKey;
+    if (act && (scene.works || !seen)) {
       event.preventDefault();
       act();
     }
   }
 
-  // Mouse, pen and fingers on the picture.
+  // A click on a body chooses it; the camera's own controls turn, move and zoom.
   pointing() {
-    const canvas = this.canvas;
-    const pointers = new Map();
-    let moved = 0;
-    canvas.addEventListener('pointerdown', event => {
-      canvas.setPointerCapture(event.pointerId);
-      pointers.set(event.pointerId, [event.clientX, event.clientY]);
-      moved = 0;
-    });
-    canvas.addEventListener('pointermove', event => {
-      const before = pointers.get(event.pointerId);
-      if (!before) {
+    const canvas = element('scene');
+    let down;
+    canvas.addEventListener('pointerdown', event => { down = [event.clientX, event.clientY]; });
+    canvas.addEventListener('pointerup', event => {
+      if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) {
+        this.pressView(undefined);
         return;
       }
-      const now = [event.clientX, event.clientY];
-      const [dx, dy] = [now[0] - before[0], now[1] - before[1]];
-      moved += Math.abs(dx) + Math.abs(dy);
-      const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
-      if (other) {
-        const apart = point => Math.hypot(point[0] - other[0], point[1] - other[1]) || 1;
-        this.camera.zoom(apart(before) / apart(now));
-        this.camera.pan(dx / 2 / canvas.clientHeight, dy / 2 / canvas.clientHeight);
-      } else if (event.shiftKey || event.buttons & 6) {
-        this.camera.pan(dx / canvas.clientHeight, dy / canvas.clientHeight);
-      } else if (moved > 3) {
-        this.camera.turn(dx * 0.008, dy * 0.008);
+      const box = canvas.getBoundingClientRect();
+      const hit = this.scene.pick(event.clientX - box.left, event.clientY - box.top);
+      if (this.mode && hit) {
+        this.pickPoint(hit);
+      } else if (!this.mode) {
+        this.select(hit && hit.body >= 0 ? hit.body : -2);
       }
-      pointers.set(event.pointerId, now);
     });
-    const end = event => {
-      if (pointers.delete(event.pointerId) && moved <= 3 && event.type === 'pointerup') {
-        this.pick(event);
-      }
-    };
-    canvas.addEventListener('pointerup', end);
-    canvas.addEventListener('pointercancel', end);
     canvas.addEventListener('contextmenu', event => event.preventDefault());
-    canvas.addEventListener('wheel', event => {
-      event.preventDefault();
-      this.camera.zoom(Math.exp(Math.sign(event.deltaY) * Math.min(120, Math.abs(event.deltaY)) * 0.0015));
-    }, { passive: false });
   }
 
-  // Selects the body under a pointer.
-  pick(event) {
-    const box = this.canvas.getBoundingClientRect();
-    const ray = this.camera.ray(
-      2 * (event.clientX - box.left) / box.width - 1, 1 - 2 * (event.clientY - box.top) / box.height);
-    const poses = this.poses();
-    let nearest = Infinity;
-    let found = -1;
-    for (const part of this.parts) {
-      if (part.role !== 'BODY') {
-        continue;
-      }
-      const { p, q } = poses(part.body);
-      const back = [q[0], -q[1], -q[2], -q[3]];
-      const from = turned(back, subtract(ray.from, p));
-      const along = turned(back, ray.along);
-      const hit = nearestHit(part, from, along);
-      if (hit < nearest) {
-        nearest = hit;
-        found = part.body;
-      }
-    }
-    this.select(found);
+  // ---- pictures out of the page ----
+
+  // Makes the stage as large as the pictures to come, so that the camera fits them.
+  prepare(width, height, view, show = []) {
+    show.forEach(id => this.show(id, true));
+    this.filming = true;
+    this.play(false);
+    const canvas = element('scene');
+    canvas.style.width = `${width}px`;
+    canvas.style.height = `${height}px`;
+    this.scene.room();
+    this.seek(this.motion.start);
+    this.look(view);
+    this.scene.place(this.poses(), this.follow);
+  }
+
+  // The picture at a time, in a size, as PNG or JPEG in Base64.
+  still(time, width, height, type = 'image/png') {
+    this.play(false);
+    this.seek(time);
+    this.scene.place(this.poses(), this.follow);
+    this.drawArrows(this.motion.frame(this.time), this.poses());
+    this.traces(this.motion.frame(this.time));
+    this.scene.drawAxes(this.shown.frames);
+    return this.scene.picture(width, height, this.colours, this.shown.floor).toDataURL(type, 0.95);
+  }
+
+  savePicture() {
+    const [width, height] = ['wide', 'tall'].map(id =>
+      Math.min(8192, Math.max(16, Math.round(Number(element(id).value)) || 16)));
+    this.scene.picture(width, height, this.colours, this.shown.floor).toBlob(blob =>
+      save(`${this.data.name.replace(/[^\w.-]+/g, '_')}-${this.time.toFixed(this.decimals)}s.png`, blob));
+  }
+
+  // What other programs ask the page.
+  api() {
+    return {
+      frameTimes: () => this.frameTimes.slice(),
+      prepare: (...how) => this.prepare(...how),
+      still: (...how) => this.still(...how),
+      look: view => this.look(view),
+      room: () => this.scene.room(),
+      last: name => this.motion.column(this.place(name))[this.motion.count - 1],
+      charts: () => this.charts.map(chart => chart.columns.map(column => column.name)),
+      ranges: () => this.charts.map(chart => [chart.curves.least, chart.curves.most]),
+      drawn: () => ({ ...this.scene.renderer.info.render }),
+      project: body => this.scene.project(this.poses()(body).p),
+      selected: () => this.selected,
+      measures: () => this.measures.map(one => one.values[this.motion.frame(this.time).at]),
+      addMeasure: (kind, points) => this.addMeasure(kind, points),
+    };
   }
 }
 
-// The distance along a ray to the first triangle of a part that it meets.
-function nearestHit(part, from, along) {
-  const corner = i => [part.corners[3 * i], part.corners[3 * i + 1], part.corners[3 * i + 2]];
-  let nearest = Infinity;
-  for (let i = 0; i < part.triangles3d.length; i += 3) {
-    const a = corner(part.triangles3d[i]);
-    const ab = subtract(corner(part.triangles3d[i + 1]), a);
-    const ac = subtract(corner(part.triangles3d[i + 2]), a);
-    const normal = cross(along, ac);
-    const volume = dot(ab, normal);
-    const away = subtract(from, a);
-    const u = dot(away, normal) / volume;
-    const side = cross(away, ab);
-    const v = dot(along, side) / volume;
-    const distance = dot(ac, side) / volume;
-    if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && distance < nearest) {
-      nearest = distance;
-    }
-  }
-  return nearest;
+// What names have in common up to a full stop.
+function commonStart(names) {
+  const first = names[0]?.slice(0, names[0].lastIndexOf('.') + 1) || '';
+  return names.length > 1 && names.every(name => name.startsWith(first)) ? first : '';
 }

@@ -18,7 +18,9 @@ export class Motion {
     this.times = this.column(0);
     this.start = this.times[0];
     this.end = this.times[this.count - 1];
-    this.root = { p: data.root.slice(0, 3), q: data.root.slice(3) };
+    // what a result does not place stays where it is at the start
+    this.still = [data.root, ...data.bodies.map(body => body.start)].map(pose =>
+      ({ p: pose.slice(0, 3), q: pose.slice(3) }));
   }
 
   column(index) {
@@ -43,24 +45,36 @@ export class Motion {
   }
 
   value(column, frame) {
-    const values = this.column(column);
-    return values[frame.at] + frame.share * (values[frame.next] - values[frame.at]);
+    const first = column * this.count;
+    const value = this.numbers[first + frame.at];
+    return value + frame.share * (this.numbers[first + frame.next] - value);
   }
 
   vector(column, frame) {
-    return [0, 1, 2].map(i => this.value(column + i, frame));
+    return [this.value(column, frame), this.value(column + 1, frame), this.value(column + 2, frame)];
+  }
+
+  turn(column, at) {
+    const { numbers, count } = this;
+    const first = column * count + at;
+    return [numbers[first], numbers[first + count], numbers[first + 2 * count], numbers[first + 3 * count]];
   }
 
   pose(body, frame) {
-    if (body < 0) {
-      return this.root;
+    const first = body < 0 ? -1 : this.data.bodies[body].pose;
+    if (first < 0) {
+      return this.still[body + 1];
     }
-    const first = this.data.bodies[body].pose;
-    const turn = at => [3, 4, 5, 6].map(i => this.column(first + i)[at]);
     return {
       p: this.vector(first, frame),
-      q: between(turn(frame.at), turn(frame.next), frame.share),
+      q: between(this.turn(first + 3, frame.at), this.turn(first + 3, frame.next), frame.share),
     };
+  }
+
+  // The poses at a frame, each formed once.
+  poses(frame) {
+    const known = [];
+    return body => (known[body + 1] ||= this.pose(body, frame));
   }
 }
 

@@ -1,4 +1,4 @@
-// Vectors, unit quaternions [e0, e1, e2, e3] with the scalar first, and 4x4 matrices by columns.
+// Vectors, and unit quaternions [e0, e1, e2, e3] with the scalar first.
 
 export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -15,9 +15,15 @@ export function unit(a) {
 }
 
 export function turned(q, v) {
-  const e = [q[1], q[2], q[3]];
-  return add(v, scale(cross(e, add(cross(e, v), scale(v, q[0]))), 2));
+  const [w, x, y, z] = q;
+  const cx = y * v[2] - z * v[1] + w * v[0];
+  const cy = z * v[0] - x * v[2] + w * v[1];
+  const cz = x * v[1] - y * v[0] + w * v[2];
+  return [
+    v[0] + 2 * (y * cz - z * cy), v[1] + 2 * (z * cx - x * cz), v[2] + 2 * (x * cy - y * cx)];
 }
+
+export const turnedBack = (q, v) => turned([q[0], -q[1], -q[2], -q[3]], v);
 
 // The rotation at a share of the way from a to b, at constant angular velocity.
 export function between(a, b, share) {
@@ -28,39 +34,8 @@ export function between(a, b, share) {
   const near = angle < 1e-4;
   const wa = near ? 1 - share : Math.sin((1 - share) * angle) / Math.sin(angle);
   const wb = sign * (near ? share : Math.sin(share * angle) / Math.sin(angle));
-  const q = a.map((x, i) => wa * x + wb * b[i]);
-  const length = Math.hypot(...q) || 1;
-  return q.map(x => x / length);
-}
-
-export function poseMatrix(p, q) {
-  const x = turned(q, [1, 0, 0]);
-  const y = turned(q, [0, 1, 0]);
-  const z = turned(q, [0, 0, 1]);
-  return new Float32Array([...x, 0, ...y, 0, ...z, 0, ...p, 1]);
-}
-
-// Takes the z axis to the way between two points and keeps lengths across it times `width`.
-export function spanMatrix(from, to, width) {
-  const way = subtract(to, from);
-  const z = unit(way);
-  const side = Math.abs(z[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0];
-  const x = unit(cross(side, z));
-  const y = cross(z, x);
-  return new Float32Array([
-    ...scale(x, width), 0, ...scale(y, width), 0, ...way, 0, ...from, 1]);
-}
-
-export function product(a, b) {
-  const m = new Float32Array(16);
-  for (let column = 0; column < 4; column++) {
-    for (let row = 0; row < 4; row++) {
-      let sum = 0;
-      for (let k = 0; k < 4; k++) {
-        sum += a[4 * k + row] * b[4 * column + k];
-      }
-      m[4 * column + row] = sum;
-    }
-  }
-  return m;
+  const q = [
+    wa * a[0] + wb * b[0], wa * a[1] + wb * b[1], wa * a[2] + wb * b[2], wa * a[3] + wb * b[3]];
+  const length = Math.hypot(q[0], q[1], q[2], q[3]) || 1;
+  return [q[0] / length, q[1] / length, q[2] / length, q[3] / length];
 }

@@ -1,9 +1,9 @@
 import { get, post, stream, takeToken, address } from './api.js';
 import { Curves, short } from './player/curves.js';
+import { MechanismScene } from './player/scene.js';
 import { Completion } from './completion.js';
-import { MechanismStage } from './stage.js';
 
-const SERIES = ['#3b82d0', '#d97b1f', '#2f9e77', '#c2504d', '#8464c4', '#1c97a3', '#9c7a3c'];
+const SERIES = 8;
 const FORMATS = [['csv', 'CSV'], ['mat', 'MAT'], ['glb', 'GLB'], ['html', 'Player'], ['jar', 'JAR'],
   ['fmu', 'FMU']];
 const LARGEST = 24 * 1024 * 1024;
@@ -14,7 +14,7 @@ const make = (tag, text = '', properties = {}) =>
 
 takeToken();
 const text = element('text');
-const stage = new MechanismStage(element('scene'));
+const scene = new MechanismScene(element('scene'));
 const curves = new Curves(element('curves'), time => { play(false); now = time; });
 const runs = [];
 let name = 'model.xml';
@@ -51,26 +51,111 @@ function number() {
 }
 let numbered = 1;
 
-text.addEventListener('input', () => { clean = false; number(); });
+text.addEventListener('input', () => {
+  if (clean) forget('The text has changed since it was checked.');
+  clean = false;
+  number();
+});
+
+// What was said of another text than the one that is shown is taken away.
+function forget(why) {
+  element('messages').replaceChildren(...(why && element('messages').children.length ? [make('li', why)] : []));
+  element('verdict').hidden = true;
+  element('drawing').hidden = true;
+}
 text.addEventListener('scroll', () => { element('numbers').scrollTop = text.scrollTop; });
 
 function open(model, called) {
   text.value = model;
   name = called;
-  element('messages').replaceChildren();
+  forget();
   element('simulation').replaceChildren();
   number();
   return check();
 }
 
-async function openFile(file) {
-  if (!file) return;
-  if (file.size > LARGEST) throw new Error(`${file.name} has ${file.size} bytes; models have at most ${LARGEST}`);
-  await open(await file.text(), file.name);
+// ---- files: the model, and what lies beside it ----
+
+const MODELS = /\.(xml|mechml|urdf|sdf|mjcf)$/i;
+const attached = new Map();
+
+// Takes a model with the tables, surfaces and parts that it names: the model is the one that is not
+// a part of another, in the uppermost folder.
+async function openFiles(all) {
+  const size = all.reduce((sum, { file }) => sum + file.size, 0);
+  if (size > LARGEST) throw new Error(`these files have ${size} bytes; a model and what it names have at most ${LARGEST}`);
+  const depth = path => path.split('/').length;
+  const models = all.filter(({ path }) => MODELS.test(path)).sort((a, b) => depth(a.path) - depth(b.path));
+  const texts = await Promise.all(models.map(({ file }) => file.text()));
+  const at = Math.max(0, texts.findIndex(one => !/<subsystem[\s>]/.test(one)));
+  const model = models[at];
+  const base = model?.path.includes('/') ? model.path.slice(0, model.path.lastIndexOf('/') + 1) : '';
+  const [top] = all.map(({ path }) => (path.includes('/') ? path.slice(0, path.indexOf('/') + 1) : ''));
+  if (model) attached.clear();
+  for (const { path, file } of all) {
+    const under = model ? base : top;
+    if (file !== model?.file) attached.set(path.startsWith(under) ? path.slice(under.length) : path, file);
+  }
+  tellAttached();
+  if (model) await open(texts[at], model.path.slice(base.length));
+  else await check();
+}
+
+function tellAttached() {
+  element('attached').hidden = attached.size === 0;
+  element('attached').replaceChildren(...[...attached.keys()].map(path => {
+    const item = make('li', `${path} `);
+    const gone = make('button', 'Remove', { type: 'button', className: 'quiet' });
+    gone.setAttribute('aria-label', `Remove ${path}`);
+    gone.addEventListener('click', () => {
+      attached.delete(path);
+      tellAttached();
+      clean = false;
+    });
+    item.append(gone);
+    return item;
+  }));
+}
+
+async function base64(file) {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  let binary = '';
+  for (let i = 0; i < bytes.length; i += 8192) binary += String.fromCharCode(...bytes.subarray(i, i + 8192));
+  return btoa(binary);
+}
+
+// The files beside the model as a request has them.
+async function filesBeside() {
+  const entries = await Promise.all([...attached].map(async ([path, file]) => [path, await base64(file)]));
+  return Object.fromEntries(entries);
+}
+
+// The files of a drop, those in folders with their paths.
+async function dropped(transfer) {
+  const entries = [...transfer.items].map(item => item.webkitGetAsEntry?.()).filter(Boolean);
+  if (!entries.some(entry => entry.isDirectory)) {
+    return [...transfer.files].map(file => ({ path: file.name, file }));
+  }
+  const found = [];
+  const walk = async (entry, path) => {
+    if (entry.isFile) {
+      found.push({ path: path + entry.name, file: await new Promise((done, failed) => { entry.file(done, failed); }) });
+      return;
+    }
+    const reader = entry.createReader();
+    for (;;) {
+      const some = await new Promise((done, failed) => { reader.readEntries(done, failed); });
+      if (!some.length) return;
+      for (const one of some) await walk(one, `${path}${entry.name}/`);
+    }
+  };
+  for (const entry of entries) await walk(entry, '');
+  return found;
 }
 
 const asked = action => action.catch(say);
-element('file').addEventListener('change', event => asked(openFile(event.target.files[0])));
+element('file').addEventListener('change', event =>
+  asked(openFiles([...event.target.files].map(file => ({ path: file.name, file })))));
 document.addEventListener('dragover', event => {
   event.preventDefault();
   text.closest('section').classList.add('dropping');
@@ -79,7 +164,7 @@ document.addEventListener('dragleave', () => text.closest('section').classList.r
 document.addEventListener('drop', event => {
   event.preventDefault();
   text.closest('section').classList.remove('dropping');
-  asked(openFile(event.dataTransfer.files[0]));
+  asked(dropped(event.dataTransfer).then(openFiles));
 });
 
 function goTo(line, column) {
@@ -93,9 +178,12 @@ function goTo(line, column) {
 async function check() {
   say();
   element('check').disabled = true;
+  const checked = text.value;
   try {
-    const answer = await post('check',
-      { name: name.toLowerCase(), text: text.value, simulation: element('simulation').value });
+    const answer = await post('check', { name: name.toLowerCase(), text: checked,
+      simulation: element('simulation').value, files: await filesBeside() });
+    // the text may have changed while its messages were under way
+    if (text.value !== checked) return false;
     if (answer.translated) {
       text.value = answer.translated;
       name = 'model.xml';
@@ -179,14 +267,14 @@ const settings = () => ['formulation', 'integrator', 'relTol', 'absTol', 'tEnd']
 
 async function start() {
   if (!clean && !await check()) return;
-  const order = { text: text.value, parameters: changed() };
+  const order = { text: text.value, parameters: changed(), files: await filesBeside() };
   for (const id of ['simulation', 'formulation', 'integrator', 'relTol', 'absTol', 'tEnd']) order[id] = element(id).value;
   element('run').disabled = true;
   try {
-    const { run } = await post('run', order);
     const title = [...Object.entries(order.parameters), ...settings()].map(([key, value]) => `${key} = ${value}`).join(', ');
+    const { run } = await post('run', { ...order, title });
     const one = { id: run, number: runs.length + 1, title, rows: [], state: 'runs', compared: true,
-      colour: SERIES[runs.length % SERIES.length] };
+      colour: runs.length % SERIES };
     runs.push(one);
     shown = one;
     play(true);
@@ -237,38 +325,43 @@ function display(run) {
   shown = run;
   now = run.rows.length ? run.rows[0][0] : 0;
   if (!run.data) return;
-  stage.show(run.data);
-  const chosen = element('column').value;
+  scene.show(run.data);
+  colours();
+  learned = 0;
+  scene.look(view);
+  const chosen = [...element('column').selectedOptions].map(option => option.value);
   const options = run.data.columns.slice(1).map(([column, unit]) =>
-    make('option', unit === '1' ? column : `${column}, ${unit}`, { value: column }));
+    make('option', unit === '1' ? column : `${column}, ${unit}`, { value: column, selected: chosen.includes(column) }));
   element('column').replaceChildren(...options);
-  if (run.data.columns.some(([column]) => column === chosen)) element('column').value = chosen;
+  if (!element('column').selectedOptions.length && options.length) options[0].selected = true;
   curve();
 }
 
+// The chosen columns of the shown run, and dashed those of the runs that are compared with it.
 function curve() {
-  const column = element('column').value;
+  const columns = [...element('column').selectedOptions].map(option => option.value);
   const chosen = runs.filter(run => run.data && run.rows.length > 1 && (run === shown || run.compared));
   if (!shown || !chosen.length) return;
-  const longest = chosen.reduce((a, b) => (b.rows[b.rows.length - 1][0] > a.rows[a.rows.length - 1][0] ? b : a));
-  const times = longest.rows.map(row => row[0]);
+  const several = columns.length > 1;
   const series = chosen.flatMap(run => {
-    const at = run.data.columns.findIndex(([title]) => title === column);
-    return at < 0 ? [] : [{ values: onto(times, run.rows, at), offset: 0, colour: run.colour }];
+    const times = run.rows.map(row => row[0]);
+    return columns.slice(0, SERIES).flatMap((column, i) => {
+      const at = run.data.columns.findIndex(([title]) => title === column);
+      return at < 0 ? [] : [{ times, values: run.rows.map(row => row[at]), offset: 0,
+        name: chosen.length > 1 ? `${column} (run ${run.number})` : column, unit: run.data.columns[at][1],
+        colour: seriesColour(several ? i : run.colour), dashed: several && run !== shown,
+        floor: floorOf(run, run.data.columns[at][1]) }];
+    });
   });
-  curves.show(times, series);
+  curves.show(series);
+  element('curves').setAttribute('aria-label', `${columns.join(', ')} of the chosen runs over time`);
 }
 
-// Values of a run at the times of another, straight between its rows.
-function onto(times, rows, at) {
-  let i = 0;
-  return times.map(time => {
-    while (i < rows.length - 1 && rows[i + 1][0] < time) i++;
-    const [a, b] = [rows[i], rows[Math.min(i + 1, rows.length - 1)]];
-    if (time > b[0] + 1e-9 || time < a[0] - 1e-9) return NaN;
-    const share = b[0] > a[0] ? (time - a[0]) / (b[0] - a[0]) : 0;
-    return a[at] + share * (b[at] - a[at]);
-  });
+// What is so small beside the largest value of its unit in the run is a zero.
+function floorOf(run, unit) {
+  const row = run.rows[run.rows.length - 1];
+  const sizes = run.data.columns.map(([, other], i) => (other === unit ? Math.abs(row[i]) || 0 : 0));
+  return 1e-9 * Math.max(...sizes);
 }
 
 function list() {
@@ -278,7 +371,7 @@ function list() {
     const box = make('input', '', { type: 'checkbox', checked: run.compared });
     box.addEventListener('change', () => { run.compared = box.checked; curve(); });
     const swatch = make('span', '', { className: 'swatch' });
-    swatch.style.background = run.colour;
+    swatch.style.background = seriesColour(run.colour);
     label.append(box, ' ', swatch, ` ${run.name || 'model'}${run.title ? ` (${run.title})` : ''}: ${run.state} `);
     const watchIt = make('button', 'Show', { type: 'button' });
     watchIt.setAttribute('aria-label', `Show run ${run.number}`);
@@ -356,7 +449,7 @@ let report;
 
 async function measure() {
   if (!clean && !await check()) return;
-  ({ report } = await post('measure', { text: text.value }));
+  ({ report } = await post('measure', { text: text.value, files: await filesBeside() }));
   measuring(true);
   try {
     for (let asks = true; asks;) {
@@ -367,7 +460,7 @@ async function measure() {
         ? `${Math.round(100 * at.done)} %, ${at.what}${at.secondsLeft ? `, ${Math.ceil(at.secondsLeft)} s left` : ''}`
         : at.state === 'done' ? 'Measured.' : at.message || 'Cancelled.';
       if (at.state === 'done') {
-        const link = make('a', `Report ${element('reports').children.length + 1}: ${stage.data?.name || name}`,
+        const link = make('a', `Report ${element('reports').children.length + 1}: ${shown?.name || name}`,
           { href: `/report/${report}/${at.page}`, target: '_blank', rel: 'noopener' });
         const item = make('li');
         item.append(link);
@@ -388,6 +481,56 @@ function measuring(on) {
 
 // ---- the picture ----
 
+let palette = {};
+let view = 'iso';
+let learned = 0;
+
+const property = name => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+function seriesColour(index) {
+  return property(`series-${index % SERIES + 1}`);
+}
+
+function colours() {
+  palette = { text: property('soft'), grid: property('line'), border: property('border'),
+    accent: property('accent'), panel: property('panel') };
+  const dark = matchMedia('(prefers-color-scheme: dark)').matches;
+  scene.colours({ sheet: property('sheet'), line: property('grid'), dark });
+}
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { colours(); curve(); });
+colours();
+
+// The poses of a row; positions are counted from the root.
+function poses(row) {
+  const { data } = shown;
+  return body => {
+    const at = body < 0 ? -1 : data.bodies[body].pose;
+    const still = body < 0 ? data.root : data.bodies[body].start;
+    return at < 0 ? { p: still.slice(0, 3), q: still.slice(3) } : { p: [0, 1, 2].map(i => row[at + i] - data.origin[i]), q: row.slice(at + 3, at + 7) };
+  };
+}
+
+function picture(row, rows) {
+  if (!scene.works || !shown.data || scene.data !== shown.data) return;
+  if (rows.length >= 1.5 * learned) {
+    // what the bodies have come to, as the rows come
+    learned = rows.length;
+    const step = Math.max(1, Math.floor(rows.length / 40));
+    scene.learn(rows.filter((_, i) => i % step === 0).map(poses));
+    heaviest = scene.travels ? shown.data.bodies.findIndex(body =>
+      body.mass === Math.max(...shown.data.bodies.map(one => one.mass))) : -2;
+    if (!turned) scene.fit(poses(row), heaviest);
+  }
+  if (row === placedRow && !scene.changed) return;
+  placedRow = row;
+  scene.place(poses(row), heaviest);
+  scene.render();
+}
+let heaviest = -2;
+let placedRow;
+let turned = false;
+element('scene').addEventListener('pointerdown', () => { turned = true; });
+element('scene').addEventListener('wheel', () => { turned = true; }, { passive: true });
+
 let before = performance.now();
 function frame(at) {
   const passed = (at - before) / 1000;
@@ -407,7 +550,7 @@ function frame(at) {
       if (rows[middle][0] <= now) low = middle; else high = middle;
     }
     const row = now >= rows[high][0] ? rows[high] : rows[low];
-    stage.draw(row, rows);
+    picture(row, rows);
     element('time').min = first;
     element('time').max = last;
     element('time').value = now;
@@ -416,9 +559,7 @@ function frame(at) {
       runs.forEach(run => { run.dirty = false; });
       curve();
     }
-    const style = getComputedStyle(document.documentElement);
-    curves.draw(now, { text: style.getPropertyValue('--soft').trim(),
-      grid: style.getPropertyValue('--line').trim(), accent: style.getPropertyValue('--accent').trim() });
+    curves.draw(now, palette);
   }
   requestAnimationFrame(frame);
 }
@@ -438,13 +579,15 @@ element('time').addEventListener('input', event => {
 element('column').addEventListener('change', curve);
 element('simulation').addEventListener('change', () => asked(check()));
 element('views').addEventListener('click', event => {
-  const view = event.target.dataset.view;
-  if (!view) return;
-  stage.look(view);
+  if (!event.target.dataset.view) return;
+  view = event.target.dataset.view;
+  turned = false;
+  learned = 0;
+  if (shown?.data) scene.look(view);
   element('views').querySelectorAll('button').forEach(button =>
     button.setAttribute('aria-pressed', String(button.dataset.view === view)));
 });
-if (!stage.works) say('This browser shows no WebGL 2, so the moving picture is missing; the curves work.');
+if (!scene.works) say('This browser shows no WebGL 2, so the moving picture is missing; the curves work.');
 
 try {
   const session = await get('start');
@@ -455,6 +598,15 @@ try {
     const chosen = session.examples.find(example => example.name === event.target.value);
     if (chosen) asked(open(chosen.text, `${chosen.name}.xml`));
   });
+  // runs outlast the page: those of before are there again
+  for (const { run, title } of (await get('runs')).runs) {
+    const one = { id: run, number: runs.length + 1, title, rows: [], state: 'runs', compared: false,
+      colour: runs.length % SERIES };
+    runs.push(one);
+    shown = one;
+    watch(one);
+  }
+  list();
 } catch (error) {
   say(error);
 }

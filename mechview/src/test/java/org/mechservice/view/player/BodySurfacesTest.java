@@ -51,7 +51,7 @@ class BodySurfacesTest {
 
   /** Returns least x, y, z and greatest x, y, z of a part, m. */
   private static double[] box(Part part) {
-    float[] corners = part.mesh().corners();
+    float[] corners = part.shape().inBody().corners();
     double[] box = {9, 9, 9, -9, -9, -9};
     for (int i = 0; i < corners.length; i++) {
       box[i % 3] = Math.min(box[i % 3], corners[i]);

@@ -2,6 +2,7 @@ package org.mechservice.mechml.resolve.body;
 
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.mechml.Look;
 import org.mechservice.mechml.Solid;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.value.NameTable;
@@ -15,6 +16,7 @@ import org.mechservice.solver.spatial.Vector3;
  * @param points from the body's origin, in body axes, m
  * @param directions unit vectors in body axes
  * @param solids what gives it its mass, in file order; none if numbers do
+ * @param looks what it is shown as, in file order
  * @param body mass and inertia; empty if they could not be read
  */
 public record BodyDefinition(
@@ -22,9 +24,11 @@ public record BodyDefinition(
     NameTable<Vector3> points,
     NameTable<Vector3> directions,
     List<Solid> solids,
+    List<Look> looks,
     Optional<Body> body) {
   public BodyDefinition {
     solids = List.copyOf(solids);
+    looks = List.copyOf(looks);
   }
 
   /** Returns the body's name. */

@@ -25,13 +25,15 @@ public final class BodyReader {
   private final DirectionReader directions;
   private final InertiaReader inertias;
   private final ShapeReader shapes;
+  private final LookReader looks;
   private final Diagnostics diagnostics;
 
   public BodyReader(ValueReader values, Diagnostics diagnostics) {
     this.values = values;
     this.directions = new DirectionReader(values, diagnostics);
     this.inertias = new InertiaReader(values, diagnostics);
-    this.shapes = new ShapeReader(values, diagnostics);
+    this.shapes = new ShapeReader(values, diagnostics, true);
+    this.looks = new LookReader(values, diagnostics);
     this.diagnostics = diagnostics;
   }
 
@@ -56,6 +58,9 @@ public final class BodyReader {
         points,
         vectors,
         solids.stream().flatMap(Optional::stream).map(WeighedSolid::solid).toList(),
+        element.children("look").stream()
+            .flatMap(look -> looks.read(look, points).stream())
+            .toList(),
         body(element, solids));
   }
 

@@ -28,10 +28,15 @@ final class ShapeReader {
 
   private final ValueReader values;
   private final Diagnostics diagnostics;
+  private final boolean weighs;
 
-  ShapeReader(ValueReader values, Diagnostics diagnostics) {
+  /**
+   * @param weighs whether each solid has a mass; if not, it is for the eye alone, and its mass is 0
+   */
+  ShapeReader(ValueReader values, Diagnostics diagnostics, boolean weighs) {
     this.values = values;
     this.diagnostics = diagnostics;
+    this.weighs = weighs;
   }
 
   /**
@@ -45,6 +50,7 @@ final class ShapeReader {
       case "cylinder" -> cylinder(shape, points);
       case "cone" -> cone(shape, points);
       case "mesh" -> mesh(shape, points);
+      case "surface" -> surface(shape, points);
       default -> sphere(shape, points);
     };
   }
@@ -180,7 +186,39 @@ final class ShapeReader {
                 new InertiaTensor(m.get(0), m.get(1), m.get(2), m.get(3), m.get(4), m.get(5)))));
   }
 
-  private Optional<Vector3> point(Element shape, NameTable<Vector3> points) {
+  /** A surface from a file that is shown only. */
+  private Optional<WeighedSolid> surface(Element surface, NameTable<Vector3> points) {
+    Optional<Unit> unit = values.unit(surface, "length", Quantity.LENGTH);
+    Optional<Vector3> origin = point(surface, points);
+    return unit.isEmpty() || origin.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            new WeighedSolid(
+                new Solid.Surface(surface.required("file"), unit.get().toSi(1), origin.get()),
+                new MassProperties(0, origin.get(), InertiaTensor.ZERO)));
+  }
+
+  /** Returns the ends of a capsule as balls, with the cylinder between them; none on an error. */
+  List<Solid> capsule(Element capsule, NameTable<Vector3> points) {
+    OptionalDouble radius = positive(capsule, "radius");
+    Optional<Vector3> from = place(capsule, "from", points);
+    Optional<Vector3> to = place(capsule, "to", points);
+    if (radius.isEmpty() || from.isEmpty() || to.isEmpty()) {
+      return List.of();
+    }
+    double r = radius.getAsDouble();
+    if (to.get().minus(from.get()).norm() == 0) {
+      wrong(capsule, SAME_PLACE);
+      return List.of();
+    }
+    return List.of(
+        new Solid.Round(from.get(), to.get(), r, r, 0),
+        new Solid.Ball(from.get(), r),
+        new Solid.Ball(to.get(), r));
+  }
+
+  /** Returns the point that an attribute of this name names or holds; the origin without one. */
+  Optional<Vector3> point(Element shape, NameTable<Vector3> points) {
     return shape.attribute("point").isPresent()
         ? place(shape, "point", points)
         : Optional.of(Vector3.ZERO);
@@ -242,6 +280,13 @@ final class ShapeReader {
   /** Returns the mass, kg, of a volume, m³. */
   private OptionalDouble mass(Element shape, double volume) {
     boolean byDensity = shape.attribute("density").isPresent();
+    if (!weighs) {
+      if (byDensity || shape.attribute("mass").isPresent()) {
+        wrong(shape, "a look has no mass; leave out density and mass");
+        return OptionalDouble.empty();
+      }
+      return OptionalDouble.of(0);
+    }
     if (byDensity == shape.attribute("mass").isPresent()) {
       wrong(
           shape,
