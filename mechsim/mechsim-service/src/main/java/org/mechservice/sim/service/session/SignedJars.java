@@ -1,24 +1,14 @@
 package org.mechservice.sim.service.session;
 
-import org.mechservice.idl.InvalidModel;
-import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.JarInfo;
 import org.mechservice.idl.JarInfoHolder;
-import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.RuntimeInfo;
-import org.mechservice.idl.ServerFailure;
-import org.mechservice.sim.model.BuildOptions;
-import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.packaging.JarImage;
-import org.mechservice.sim.packaging.ModelJars;
 import org.mechservice.sim.packaging.RuntimeJar;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
-import org.mechservice.sim.service.library.LoadedModel;
-import org.mechservice.sim.service.library.ModelLibrary;
-import org.mechservice.sim.service.library.SetUpTimes;
-import org.mechservice.sim.service.library.SimulationRequest;
+import org.mechservice.sim.service.setup.SetUps;
 import org.mechservice.solver.simulation.SolverVersion;
 
 /**
@@ -27,35 +17,18 @@ import org.mechservice.solver.simulation.SolverVersion;
  */
 final class SignedJars {
   private final Session session;
-  private final ModelLibrary library;
-  private final SetUpTimes times;
 
-  /**
-   * @param times of the session; compiling and packing add to them
-   */
-  SignedJars(Session session, ModelLibrary library, SetUpTimes times) {
+  SignedJars(Session session) {
     this.session = session;
-    this.library = library;
-    this.times = times;
   }
 
   /**
    * Returns the JAR of a model.
    *
-   * @param source the model as the request reads it
    * @param info receives what the JAR is
    */
-  byte[] ofModel(LoadedModel source, SimulationRequest asked, JarInfoHolder info)
-      throws InvalidModel, InvalidOption, NotAvailable, ServerFailure {
-    BuildOptions build = asked.forJar();
-    CompiledModel compiled = ContractErrors.build(() -> library.compiled(source, build, times));
-    long start = System.nanoTime();
-    JarImage jar =
-        asked.standalone()
-            ? ModelJars.standalone(compiled, source.sha256())
-            : ModelJars.model(compiled, source.sha256());
-    String runtime = asked.standalone() ? "" : RuntimeJar.sha256();
-    times.addPacking(System.nanoTime() - start);
+  byte[] ofModel(SetUps.Packed packed, JarInfoHolder info) {
+    JarImage jar = packed.jar();
     info.value =
         new JarInfo(
             jar.fileName(),
@@ -64,7 +37,7 @@ final class SignedJars {
             jar.bytes().length,
             jar.modelBytes(),
             signature(jar),
-            runtime,
+            packed.runtime(),
             ContractTypes.nameValues(jar.manifest()));
     return jar.bytes();
   }
