@@ -1,5 +1,7 @@
 package org.mechservice.cli.shell;
 
+import java.security.PublicKey;
+import java.util.List;
 import java.util.Optional;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.failure.ServiceException;
@@ -57,9 +59,11 @@ public final class ServiceConnection implements AutoCloseable {
    */
   public static ServiceConnection open(ServerOption asked, int capacity, UserCode userCode) {
     if (!asked.address().isEmpty()) {
-      return new ServiceConnection(
-          Optional.empty(),
-          MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
+      List<PublicKey> accepted = asked.trustedSolvers();
+      MechConnection connection =
+          MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity());
+      accepted.forEach(connection::acceptSolversOf);
+      return new ServiceConnection(Optional.empty(), connection);
     }
     WarmUp.beginToBuild();
     if (!userCode.isNone()) {

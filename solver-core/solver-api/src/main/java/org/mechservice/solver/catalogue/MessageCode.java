@@ -304,7 +304,9 @@ public enum MessageCode {
   START_ENDED("S-215", WARNING),
   GRADIENT_UNUSABLE("S-216"),
   GRADIENT_FAILED("S-217"),
-  SET_UP_TOO_LONG("S-230");
+  SET_UP_TOO_LONG("S-230"),
+  SOLVER_NOT_ACCEPTED("S-231"),
+  MODEL_CLASS_NOT_PERMITTED("S-232");
 
   private final String code;
   private final Severity severity;

@@ -1,5 +1,8 @@
 package org.mechservice.sim.service.session;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.mechservice.guard.SolverClasses;
 import org.mechservice.idl.JarInfo;
 import org.mechservice.idl.JarInfoHolder;
 import org.mechservice.idl.NotFound;
@@ -16,6 +19,11 @@ import org.mechservice.solver.simulation.SolverVersion;
  * Each comes with its SHA-256 and, over TLS, with a signature by the server's key.
  */
 final class SignedJars {
+  /** Read once per process, when first needed. */
+  private static final class OwnSolver {
+    private static final String FINGERPRINT = SolverClasses.fingerprint();
+  }
+
   private final Session session;
 
   SignedJars(Session session) {
@@ -38,8 +46,15 @@ final class SignedJars {
             jar.modelBytes(),
             signature(jar),
             packed.runtime(),
-            ContractTypes.nameValues(jar.manifest()));
+            ContractTypes.nameValues(described(jar.manifest())));
     return jar.bytes();
+  }
+
+  /** Returns the description of a JAR with what identifies this process's solver. */
+  private static Map<String, String> described(Map<String, String> manifest) {
+    Map<String, String> all = new LinkedHashMap<>(manifest);
+    all.put("Mech-Solver-Fingerprint", OwnSolver.FINGERPRINT);
+    return all;
   }
 
   /** Returns what the JAR of the solver is, which runs the JARs of models. */
