@@ -20,7 +20,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 /** The service a command asks: one on the network, or one started for this command alone. */
 public final class ServiceConnection implements AutoCloseable {
   /** Attempts to reach the server of this process, each of which takes seconds. */
-  private static final int OWN_ATTEMPTS = 60;
+  private static final int OWN_ATTEMPTS = 15;
 
   /** Name of the host within a command. */
   static final String EMBEDDED_NAME = "embedded";
