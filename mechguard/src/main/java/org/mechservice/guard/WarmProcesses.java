@@ -20,12 +20,16 @@ import java.util.concurrent.TimeUnit;
  * Processes with bounded memory that run the product's own code on input which may be dear to work
  * on. Each serves one request at a time, see {@link WarmMain}; afterwards it waits for the next,
  * and later requests find it warm. A thread that is interrupted while it waits for an answer ends
- * the process, so that nothing is computed for a client that has gone. Thread-safe.
+ * the process, so that nothing is computed for a client that has gone. A process that works for
+ * long has a lower priority than the others, and ends afterwards. Thread-safe.
  */
 public final class WarmProcesses implements AutoCloseable {
   private static final int EXIT_OUT_OF_MEMORY = 3;
   private static final long END_SECONDS = 60;
   private static final long LOOK_MILLIS = 50;
+
+  /** After so long, others come first. */
+  private static final long LONG_NANOS = 10_000_000_000L;
 
   /** One request and its answer. The first byte that is written says what is asked for. */
   @FunctionalInterface
@@ -54,7 +58,9 @@ public final class WarmProcesses implements AutoCloseable {
     private final Process process;
     private final Thread caller;
     private final long end;
+    private final long since = System.nanoTime();
     private volatile boolean late;
+    private volatile boolean lowered;
 
     /**
      * @param end latest time of the answer, in the time of {@link System#nanoTime}; the largest
@@ -201,7 +207,7 @@ public final class WarmProcesses implements AutoCloseable {
       synchronized (this) {
         watched.remove(held);
       }
-      if (done) {
+      if (done && !held.lowered) {
         keep(warm);
       } else {
         warm.process.destroyForcibly();
@@ -237,6 +243,10 @@ public final class WarmProcesses implements AutoCloseable {
 
   private synchronized boolean isWatched() {
     for (Held held : watched) {
+      if (!held.lowered && System.nanoTime() - held.since > LONG_NANOS) {
+        held.lowered = true;
+        LowPriority.lower(held.process.pid());
+      }
       held.late = held.end != Long.MAX_VALUE && System.nanoTime() - held.end > 0;
       if (held.late || held.caller.isInterrupted()) {
         held.process.destroyForcibly();

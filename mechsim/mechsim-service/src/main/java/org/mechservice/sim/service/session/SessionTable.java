@@ -460,6 +460,14 @@ public final class SessionTable implements AutoCloseable {
       HostLimits limits = host.limits().now();
       host.orb().allowConnections(limits.connectionsAtAll());
       places.interruptLate();
+      if (allSessions().stream()
+              .filter(Session::hasActiveRun)
+              .map(Session::owner)
+              .distinct()
+              .count()
+          > 1) {
+        allRuns().forEach(SimulationRun::yieldToOthers);
+      }
       for (Session session : allSessions()) {
         if (session.leaseLeftMillis() < 0) {
           expire(session, "was not renewed and has ended");
