@@ -67,7 +67,7 @@ final class PlainValues {
       out.writeBoolean(number.isPresent());
       out.writeDouble(number.orElse(0));
     } else if (value instanceof Enum<?> constant) {
-      out.writeInt(constant.ordinal());
+      write(String.class, constant.name(), out);
     } else if (plain.isArray()) {
       int length = Array.getLength(value);
       out.writeInt(length);
@@ -148,7 +148,7 @@ final class PlainValues {
       double number = in.readDouble();
       return present ? OptionalDouble.of(number) : OptionalDouble.empty();
     } else if (plain.isEnum()) {
-      return constant(plain, in.readInt());
+      return constant(plain, String.valueOf(read(String.class, in)));
     } else if (plain.isArray()) {
       Object array = Array.newInstance(plain.getComponentType(), length(in));
       for (int i = 0; i < Array.getLength(array); i++) {
@@ -159,12 +159,13 @@ final class PlainValues {
     return readParts(plain, in);
   }
 
-  private static Object constant(Class<?> type, int ordinal) throws IOException {
-    Object[] all = type.getEnumConstants();
-    if (ordinal < 0 || ordinal >= all.length) {
-      throw new StreamCorruptedException(type.getSimpleName() + " has no constant " + ordinal);
+  private static Object constant(Class<?> type, String name) throws IOException {
+    for (Object constant : type.getEnumConstants()) {
+      if (((Enum<?>) constant).name().equals(name)) {
+        return constant;
+      }
     }
-    return all[ordinal];
+    throw new StreamCorruptedException(type.getSimpleName() + " has no constant " + name);
   }
 
   private static Object readParts(Class<?> type, DataInputStream in) throws IOException {

@@ -25,6 +25,7 @@ import org.mechservice.solver.api.run.RunRequest;
  * function of its arguments, so that any process can give it; {@link SetUpsHere} gives it in this
  * process, {@link SetUpWorkers} in others.
  */
+@SuppressWarnings("ArrayRecordComponent") // values of the contract, never compared
 public interface SetUps {
   /**
    * A model that can be read.
