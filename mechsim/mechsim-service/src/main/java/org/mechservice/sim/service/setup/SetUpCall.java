@@ -51,19 +51,20 @@ final class SetUpCall {
       PlainValues.write(types[i], arguments[i], out);
     }
     out.flush();
-    switch (in.readByte()) {
-      case ANSWERED:
-        return PlainValues.read(operation.getGenericReturnType(), in);
-      case REFUSED:
-        Class<?>[] refusals = refusals(operation);
-        int which = in.readByte();
-        if (which < 0 || which >= refusals.length) {
-          throw new StreamCorruptedException(operation.getName() + " has no refusal " + which);
-        }
-        return PlainValues.read(refusals[which], in);
-      default:
-        throw new IllegalStateException((String) PlainValues.read(String.class, in));
+    return switch (in.readByte()) {
+      case ANSWERED -> PlainValues.read(operation.getGenericReturnType(), in);
+      case REFUSED -> refusal(operation, in);
+      default -> throw new IllegalStateException((String) PlainValues.read(String.class, in));
+    };
+  }
+
+  private static Object refusal(Method operation, DataInputStream in) throws IOException {
+    Class<?>[] refusals = refusals(operation);
+    int which = in.readByte();
+    if (which < 0 || which >= refusals.length) {
+      throw new StreamCorruptedException(operation.getName() + " has no refusal " + which);
     }
+    return PlainValues.read(refusals[which], in);
   }
 
   private static Class<?>[] refusals(Method operation) {
