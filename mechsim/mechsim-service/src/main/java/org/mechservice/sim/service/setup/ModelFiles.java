@@ -39,15 +39,15 @@ public record ModelFiles(
   /** Returns what identifies the model with its files. */
   String key() {
     ByteArrayOutputStream all = new ByteArrayOutputStream();
-    all.writeBytes(name(fileName + '\n' + compile + '\n' + bounds));
+    all.writeBytes(name(fileName + '|' + compile + '|' + bounds));
     all.writeBytes(name(sha256()));
     for (UserFile file : userFiles) {
-      all.writeBytes(name(file.name() + '\n' + Sha256.of(file.content())));
+      all.writeBytes(name(file.name() + '|' + Sha256.of(file.content())));
     }
     return Sha256.of(all.toByteArray());
   }
 
   private static byte[] name(String text) {
-    return (text + '\n').getBytes(StandardCharsets.UTF_8);
+    return (text + '|').getBytes(StandardCharsets.UTF_8);
   }
 }

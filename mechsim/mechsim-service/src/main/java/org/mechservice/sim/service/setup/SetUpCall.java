@@ -3,7 +3,9 @@ package org.mechservice.sim.service.setup;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.io.StreamCorruptedException;
+import java.io.StringWriter;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Type;
@@ -118,13 +120,8 @@ final class SetUpCall {
   }
 
   private static String trace(Throwable thrown) {
-    StringBuilder text = new StringBuilder();
-    for (Throwable each = thrown; each != null; each = each.getCause()) {
-      text.append(each).append('\n');
-      for (StackTraceElement place : each.getStackTrace()) {
-        text.append("  at ").append(place).append('\n');
-      }
-    }
+    StringWriter text = new StringWriter();
+    thrown.printStackTrace(new PrintWriter(text, true));
     return text.toString();
   }
 }
