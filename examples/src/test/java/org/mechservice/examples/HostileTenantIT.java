@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -90,7 +92,7 @@ class HostileTenantIT {
   }
 
   /** Bodies in a chain of free joints, each also tied to the ground: as many loops as bodies. */
-  private static String loops(int count) {
+  static String loops(int count) {
     StringBuilder bodies = new StringBuilder();
     StringBuilder joints = new StringBuilder();
     for (int i = 0; i < count; i++) {
@@ -130,6 +132,71 @@ class HostileTenantIT {
           .mech("simulate", WorkingTree.PENDULUM.toString(), "--server", url, "--quiet")
           .orFail();
     }
+  }
+
+  /** With the limits of the product: eight of them at once, and the other client is served. */
+  @Test
+  void eightTextsThatAreDearToBuildHurtNobodyElse() throws Exception {
+    Files.writeString(folder.resolve("loops.xml"), loops(4000));
+    int port = Service.freePort();
+    String url = Service.url(port);
+    Terminal terminal = new Terminal(folder);
+    String[] pendulum = {
+      "simulate", WorkingTree.PENDULUM.toString(), "--server", url, "--out", "r.csv", "--quiet"
+    };
+    try (Terminal.Running server = Service.startServer(folder, port)) {
+      assertThat(server.stdout()).contains(url);
+      terminal.mech(pendulum).orFail();
+      byte[] right = Files.readAllBytes(folder.resolve("r.csv"));
+      List<Terminal.Running> bombs = new ArrayList<>();
+      try {
+        for (int i = 0; i < 8; i++) {
+          bombs.add(
+              terminal.start(
+                  "env",
+                  "JDK_JAVA_OPTIONS=-Duser.name=mallory",
+                  WorkingTree.MECH.toString(),
+                  "check",
+                  "loops.xml",
+                  "--server",
+                  url));
+        }
+        for (int i = 0; i < 3; i++) {
+          terminal.mech(pendulum).orFail();
+          assertThat(Files.readAllBytes(folder.resolve("r.csv"))).isEqualTo(right);
+        }
+        Terminal.Ended first = bombs.get(0).awaitEnd();
+        assertThat(first.exitStatus()).as(first.toString()).isNotZero();
+        assertThat(first.stderr()).containsAnyOf("S-110", "S-230");
+      } finally {
+        bombs.forEach(Terminal.Running::close);
+      }
+      terminal.mech(pendulum).orFail();
+    }
+  }
+
+  /** Three thousand parts, one in the other. */
+  @Test
+  void chainOfIncludedPartsIsRefusedByName() throws Exception {
+    StringBuilder parts = new StringBuilder();
+    for (int i = 0; i < 3001; i++) {
+      parts.append(
+          ("<included file=\"p%d\"><![CDATA[<subsystem massUnits=\"kg\" lengthUnits=\"m\">"
+                  + "<include file=\"p%d\" prefix=\"x\"/></subsystem>]]></included>")
+              .formatted(i, i + 1));
+    }
+    Files.writeString(
+        folder.resolve("parts.xml"),
+        "<MechML><MBSsimulation><dynamic><timeSet tini=\"0\" tend=\"1\" tstep=\"0.1\"/></dynamic>"
+            + "</MBSsimulation><MBSmodel name=\"m\" massUnits=\"kg\" lengthUnits=\"m\""
+            + " silence=\"no-gravity\"><include file=\"p0\" prefix=\"z\"/><Bodies><body"
+            + " name=\"Ground\"/></Bodies><Joints/><topology><root name=\"Ground\"/></topology>"
+            + "</MBSmodel>"
+            + parts
+            + "</MechML>");
+    Terminal.Ended ended = new Terminal(folder).mech("check", "parts.xml");
+    assertThat(ended.exitStatus()).as(ended.toString()).isEqualTo(2);
+    assertThat(ended.stderr()).contains("M-004", "it may include 1000");
   }
 
   /** Two kilobytes of source that the compiler turns into a text of half a terabyte. */

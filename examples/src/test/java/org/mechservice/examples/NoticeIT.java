@@ -39,11 +39,31 @@ class NoticeIT {
     String ofTheProduct =
         named.substring(
             named.indexOf("Libraries the product runs with"),
-            named.indexOf("Used to build and test"));
+            named.indexOf("What each of them is for"));
 
     assertThat(besideTheCommand)
         .containsExactlyInAnyOrderElementsOf(
             LIBRARY.matcher(ofTheProduct).results().map(match -> match.group()).toList());
+  }
+
+  @Test
+  void eachLibraryOfTheProductHasItsReason() throws IOException {
+    String all = notice();
+    String libraries =
+        all.substring(
+            all.indexOf("Libraries the product runs with"),
+            all.indexOf("What each of them is for"));
+    String reasons =
+        all.substring(all.indexOf("What each of them is for"), all.indexOf("A build compares"));
+    List<String> names =
+        libraries
+            .lines()
+            .skip(1)
+            .filter(line -> line.startsWith("  ") && !line.startsWith("   "))
+            .map(line -> line.strip().split(":| \\d", 2)[0])
+            .toList();
+    assertThat(names).hasSizeGreaterThan(10);
+    assertThat(names).allSatisfy(name -> assertThat(reasons).contains(name));
   }
 
   private static String notice() throws IOException {

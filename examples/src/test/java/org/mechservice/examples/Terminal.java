@@ -141,6 +141,16 @@ final class Terminal {
       return printed("stdout");
     }
 
+    /** Returns what it has printed on standard error so far. */
+    String stderr() {
+      return printed("stderr");
+    }
+
+    /** Asks it to end, as {@code kill} does; Ctrl-C does not reach what was started aside. */
+    void terminate() {
+      process.destroy();
+    }
+
     private Ended soFar(int exitStatus) {
       return new Ended(command, exitStatus, stdout(), printed("stderr"));
     }

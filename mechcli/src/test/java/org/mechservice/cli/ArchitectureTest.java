@@ -102,7 +102,7 @@ class ArchitectureTest {
     "solver-symbol, ''",
     "solver-mechanics, solver-api solver-ode solver-symbol",
     "solver-runtime, solver-api solver-ode solver-symbol solver-mechanics",
-    "mechguard, solver-api",
+    "mechguard, solver-runtime solver-api solver-ode solver-symbol solver-mechanics",
     "mechml, solver-api solver-ode solver-symbol solver-mechanics",
     "mechrobot, mechml solver-api solver-ode solver-symbol solver-mechanics",
     "idl, solver-api",

@@ -186,9 +186,9 @@ final class Killing implements AutoCloseable {
       try (RemoteRun run =
           session.prepareRemoteRun(SimulationOptions.asInFile().endTime(1e5).outputStep(1e-2))) {
         run.start();
-        eventually("a worker starts", () -> !victim.children().isEmpty());
+        eventually("a worker starts", () -> !victim.workers().isEmpty());
         atRandom();
-        victim.children().forEach(ProcessHandle::destroyForcibly);
+        victim.workers().forEach(ProcessHandle::destroyForcibly);
         eventually("the run ends", () -> run.progress().state() == RunState.FAILED);
         assertThat(run.result().outcome())
             .isInstanceOfSatisfying(
@@ -196,7 +196,7 @@ final class Killing implements AutoCloseable {
                 failed -> assertThat(failed.failure().code()).hasToString(WORKER_LOST));
       }
     }
-    eventually("no worker is left", () -> victim.children().isEmpty());
+    eventually("no worker is left", () -> victim.workers().isEmpty());
   }
 
   /** What was completed is there again with the host, to the last bit; what was not is said so. */

@@ -147,9 +147,10 @@ class LostHostTest {
     };
   }
 
-  /** This process has no others but those in which the users' forces are computed. */
+  /** Ends those in which the users' forces are computed. */
   private static void killWorkers() {
-    List<ProcessHandle> workers = ProcessHandle.current().children().toList();
+    List<ProcessHandle> workers =
+        ProcessHandle.current().descendants().filter(ServiceJvm::isWorker).toList();
     assertThat(workers).isNotEmpty();
     workers.forEach(ProcessHandle::destroyForcibly);
   }

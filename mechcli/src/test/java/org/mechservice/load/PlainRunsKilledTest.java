@@ -277,7 +277,7 @@ class PlainRunsKilledTest {
   }
 
   private boolean hasWorker() {
-    return hosts.stream().anyMatch(host -> !host.children().isEmpty());
+    return hosts.stream().anyMatch(host -> !host.workers().isEmpty());
   }
 
   private void kill(Killed killed) throws Exception {
@@ -287,7 +287,7 @@ class PlainRunsKilledTest {
     String port = Integer.toString(server.port());
     if (killed == Killed.WORKER) {
       hosts.stream()
-          .flatMap(host -> host.children().stream())
+          .flatMap(host -> host.workers().stream())
           .forEach(ProcessHandle::destroyForcibly);
     }
     if (withServer) {

@@ -108,9 +108,20 @@ final class ServiceJvm implements AutoCloseable {
     return process.isAlive();
   }
 
-  /** Returns the processes it has started. */
-  List<ProcessHandle> children() {
-    return process.descendants().toList();
+  /** Returns the processes of runs that it has started; models are read in others. */
+  List<ProcessHandle> workers() {
+    return process.descendants().filter(ServiceJvm::isWorker).toList();
+  }
+
+  /** Returns whether a process computes a run with classes of users, or is the wall around it. */
+  static boolean isWorker(ProcessHandle child) {
+    // the handle knows no arguments of a command as long as this
+    Path words = Path.of("/proc", Long.toString(child.pid()), "cmdline");
+    try {
+      return Files.readString(words).contains("org.mechservice.sim.worker");
+    } catch (IOException e) {
+      return false; // it has ended
+    }
   }
 
   /** Ends it without a word, like {@code kill -9}. */

@@ -3,6 +3,7 @@ package org.mechservice.client;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.security.PublicKey;
 import java.security.cert.Certificate;
 import java.time.Duration;
 import java.util.List;
@@ -19,6 +20,7 @@ import org.mechservice.client.failure.RemoteCalls;
 import org.mechservice.client.failure.ServerLostException;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.failure.SetUpCalls;
+import org.mechservice.client.jar.AcceptedSolvers;
 import org.mechservice.client.jar.JarCache;
 import org.mechservice.client.jar.JarOrigin;
 import org.mechservice.client.run.LeaseRenewal;
@@ -65,6 +67,7 @@ public final class MechConnection implements AutoCloseable {
   private final ServiceOrb orb;
   private final ServerSelection servers;
   private final JarCache cache;
+  private final AcceptedSolvers solvers = new AcceptedSolvers();
   private final LeaseRenewal leases = new LeaseRenewal();
   private final double connectSeconds;
 
@@ -343,6 +346,20 @@ public final class MechConnection implements AutoCloseable {
     return new JarOrigin(
         orb.identity().isPresent(),
         orb.certificateAt(orb.endpointOf(session)).map(Certificate::getPublicKey));
+  }
+
+  /**
+   * Accepts the solver of a server for runs in this process where it differs from the one here, if
+   * it is signed with a key. Its classes run with all rights of the user.
+   *
+   * @param key of the server or host that builds the models
+   */
+  public void acceptSolversOf(PublicKey key) {
+    solvers.accept(key);
+  }
+
+  AcceptedSolvers acceptedSolvers() {
+    return solvers;
   }
 
   LeaseRenewal leases() {

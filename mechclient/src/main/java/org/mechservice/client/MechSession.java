@@ -402,8 +402,8 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Prepares a run on this machine: fetches the compiled model, and the solver unless it is in the
-   * cache, and loads both.
+   * Prepares a run on this machine: fetches the compiled model, verifies and loads it. The solver
+   * is that of this process, or the server's where that differs and is accepted.
    *
    * @throws InvalidOptionException if an option cannot be used
    * @throws JarRefusedException if a JAR is not the one announced or does not fit this client
@@ -415,7 +415,7 @@ public final class MechSession implements AutoCloseable {
     BuiltJar modelJar = jars.model(options.toNameValues(), answer);
     SetUpFacts said = new SetUpFacts(answer.value);
     keepWarnings(said);
-    byte[] runtimeJar = jars.runtime(modelJar);
+    Optional<byte[]> runtimeJar = jars.runtime(modelJar);
     double fetchSeconds = watch.lap();
     FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar, consent);
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
@@ -428,14 +428,13 @@ public final class MechSession implements AutoCloseable {
     facts.putAll(SetUpReport.local(loadSeconds, fetchSeconds, ofRun, total));
     facts.put("modelJarBytes", (long) modelJar.bytes().length);
     facts.put("modelClassBytes", modelJar.modelClassBytes());
-    facts.put("runtimeJarBytes", (long) runtimeJar.length);
+    facts.put("runtimeJarBytes", runtimeJarBytes());
     return fetched.prepare(
         options.columnGroups(), options.isStrict(), options.driftBound(), said.silenced(), facts);
   }
 
   /**
-   * Fetches the compiled model, and the solver unless it is in the cache, for callers that run it
-   * themselves.
+   * Fetches the compiled model for callers that run it themselves.
    *
    * @throws InvalidOptionException if an option cannot be used
    * @throws JarRefusedException if a JAR is not the one announced or does not fit this client
@@ -444,7 +443,7 @@ public final class MechSession implements AutoCloseable {
     JarFetch jars = jars();
     BuiltJar modelJar =
         jars.model(options.toNameValues(), new NameValueSeqHolder(new NameValue[0]));
-    byte[] runtimeJar = jars.runtime(modelJar);
+    Optional<byte[]> runtimeJar = jars.runtime(modelJar);
     return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar, consent));
   }
 
@@ -462,7 +461,14 @@ public final class MechSession implements AutoCloseable {
   }
 
   private JarFetch jars() {
-    return new JarFetch(calls, setUp, session, connection.cache(), connection.originOf(session));
+    return new JarFetch(
+        calls,
+        setUp,
+        session,
+        connection.cache(),
+        connection.acceptedSolvers(),
+        service.version(),
+        connection.originOf(session));
   }
 
   /** Returns the size of the server's runtime JAR, bytes. */

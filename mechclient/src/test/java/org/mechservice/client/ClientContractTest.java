@@ -30,12 +30,14 @@ import org.mechservice.client.run.RemoteRun;
 import org.mechservice.client.run.RunListener;
 import org.mechservice.client.run.RunProgress;
 import org.mechservice.client.run.RunResult;
+import org.mechservice.guard.SolverClasses;
 import org.mechservice.idl.SimState;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** What the client library promises, against a server whose answers are written down. */
 class ClientContractTest {
@@ -54,6 +56,7 @@ class ClientContractTest {
 
   @BeforeEach
   void loadModel() {
+    connection.acceptSolversOf(server.key.getPublic());
     session.loadModel("square.xml", MODEL);
   }
 
@@ -129,6 +132,63 @@ class ClientContractTest {
   void fetchedSolverIsLoadedApartFromTheClientsOwn() throws IOException {
     RunResult result = session.prepareLocalRun(SimulationOptions.asInFile()).toEnd(new Rows());
     assertThat(result.report()).containsEntry("solverVersion", "fetched");
+  }
+
+  @Test
+  void solverOfTheSameBitsIsThisProgramsAndNoneIsFetched() {
+    server.fingerprint = SolverClasses.fingerprint();
+    assertThat(session.fetchModel(SimulationOptions.asInFile()).solver())
+        .isInstanceOf(RuntimeSolver.class);
+    session.prepareLocalRun(SimulationOptions.asInFile());
+    assertThat(server.runtimeFetches).hasValue(0);
+    assertThat(cacheFolder).isEmptyDirectory();
+  }
+
+  @Test
+  void otherSolverIsRefusedUnlessItsKeyIsAccepted() {
+    try (ScriptedServer other = new ScriptedServer();
+        MechConnection careful = MechConnection.open(other.address(), new JarCache(cacheFolder));
+        MechSession open = careful.openSession()) {
+      open.loadModel("square.xml", MODEL);
+      assertThatThrownBy(() -> open.prepareLocalRun(SimulationOptions.asInFile()))
+          .isInstanceOf(JarRefusedException.class)
+          .hasMessageStartingWith("S-231 the server has another solver")
+          .hasMessageContaining("--trust-solver");
+      assertThat(other.runtimeFetches).hasValue(0);
+      careful.acceptSolversOf(TestJars.newKey().getPublic());
+      assertThatThrownBy(() -> open.prepareLocalRun(SimulationOptions.asInFile()))
+          .isInstanceOf(JarRefusedException.class)
+          .hasMessageStartingWith("S-231")
+          .hasMessageContaining("signed with no key that you have accepted");
+      careful.acceptSolversOf(other.key.getPublic());
+      assertThat(open.prepareLocalRun(SimulationOptions.asInFile())).isNotNull();
+    }
+  }
+
+  @Test
+  void hostileClassOfAModelIsRefusedBeforeItIsLoaded() {
+    server.jars = TestJars.hostile();
+    server.modelClass = HostileModel.class.getName();
+    for (String solver : List.of(SolverClasses.fingerprint(), "another")) {
+      server.fingerprint = solver;
+      assertThatThrownBy(() -> session.prepareLocalRun(SimulationOptions.asInFile()))
+          .isInstanceOf(JarRefusedException.class)
+          .hasMessageStartingWith("S-232")
+          .hasMessageContaining("java.lang.System.setProperty");
+      assertThatThrownBy(() -> session.fetchModel(SimulationOptions.asInFile()))
+          .isInstanceOf(JarRefusedException.class);
+    }
+    assertThat(System.getProperty(HostileModel.DONE)).isNull();
+  }
+
+  @Test
+  void classOfThisProgramIsNoModelOfAServer() {
+    server.fingerprint = SolverClasses.fingerprint();
+    server.modelClass = HostileModel.class.getName();
+    assertThatThrownBy(() -> session.prepareLocalRun(SimulationOptions.asInFile()))
+        .isInstanceOf(JarRefusedException.class)
+        .hasMessageContaining("which it does not contain");
+    assertThat(System.getProperty(HostileModel.DONE)).isNull();
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.mechservice.client;
 
 import java.nio.charset.StandardCharsets;
+import java.security.KeyPair;
 import java.util.List;
 import java.util.Properties;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -36,6 +37,7 @@ import org.mechservice.idl.ResultCursorHelper;
 import org.mechservice.idl.ResultCursorOperations;
 import org.mechservice.idl.ResultCursorPOATie;
 import org.mechservice.idl.RunSetUp;
+import org.mechservice.idl.RuntimeInfo;
 import org.mechservice.idl.ServerInfo;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimState;
@@ -74,6 +76,9 @@ final class ScriptedServer implements AutoCloseable {
   volatile SimState endsAs = SimState.SIM_DONE;
   volatile TestJars jars = TestJars.make();
   volatile boolean sendsWrongRuntime;
+  volatile String modelClass = TestJars.MODEL_CLASS;
+  volatile String fingerprint = "another";
+  final KeyPair key = TestJars.newKey();
 
   private final ORB orb;
   private final POA poa;
@@ -258,13 +263,13 @@ final class ScriptedServer implements AutoCloseable {
       info.value =
           new JarInfo(
               "square.jar",
-              TestJars.MODEL_CLASS,
+              modelClass,
               Sha256.of(jars.model()),
               jars.model().length,
               1,
               new byte[0],
               Sha256.of(jars.runtime()),
-              new NameValue[0]);
+              new NameValue[] {new NameValue("Mech-Solver-Fingerprint", fingerprint)});
       return jars.model();
     }
 
@@ -292,6 +297,14 @@ final class ScriptedServer implements AutoCloseable {
       happened.add("in one call");
       facts.value = facts();
       return compileToJar(options, info);
+    }
+
+    RuntimeInfo getRuntimeInfo() {
+      return new RuntimeInfo(
+          Sha256.of(jars.runtime()),
+          jars.runtime().length,
+          TestJars.signed(key, jars.runtime()),
+          "another");
     }
 
     byte[] fetchRuntime(String sha256) {

@@ -4,6 +4,10 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.security.GeneralSecurityException;
+import java.security.KeyPair;
+import java.security.KeyPairGenerator;
+import java.security.Signature;
 import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
@@ -35,6 +39,36 @@ record TestJars(byte[] model, byte[] runtime) {
   /** Returns a good model JAR, and a runtime JAR for another version of the solver API. */
   static TestJars withRuntimeFor(String apiVersion) {
     return new TestJars(make().model(), make(apiVersion, apiVersion).runtime());
+  }
+
+  /** Returns a model JAR whose class does what a class of a model need not. */
+  static TestJars hostile() {
+    try {
+      return new TestJars(jar("1", HostileModel.class), make().runtime());
+    } catch (IOException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  static KeyPair newKey() {
+    try {
+      KeyPairGenerator generator = KeyPairGenerator.getInstance("EC");
+      generator.initialize(256);
+      return generator.generateKeyPair();
+    } catch (GeneralSecurityException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  static byte[] signed(KeyPair key, byte[] bytes) {
+    try {
+      Signature signature = Signature.getInstance("SHA256withECDSA");
+      signature.initSign(key.getPrivate());
+      signature.update(bytes);
+      return signature.sign();
+    } catch (GeneralSecurityException e) {
+      throw new IllegalStateException(e);
+    }
   }
 
   static Manifest manifest(String apiVersion) {

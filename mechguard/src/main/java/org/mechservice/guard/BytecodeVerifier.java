@@ -1,9 +1,11 @@
 package org.mechservice.guard;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.api.UserForce;
 import org.objectweb.asm.AnnotationVisitor;
@@ -40,12 +42,18 @@ public final class BytecodeVerifier extends ClassVisitor {
       Set.of(1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 15, 16, 18);
 
   private final Set<String> own;
+  private final Predicate<String> product;
   private final List<Refusal> findings;
   private String className = "";
 
-  private BytecodeVerifier(Set<String> own, List<Refusal> findings) {
+  /**
+   * @param own binary names of the classes that came together
+   * @param product whether a class of the product, by internal name, may be used
+   */
+  private BytecodeVerifier(Set<String> own, Predicate<String> product, List<Refusal> findings) {
     super(Opcodes.ASM9);
     this.own = own;
+    this.product = product;
     this.findings = findings;
   }
 
@@ -64,13 +72,38 @@ public final class BytecodeVerifier extends ClassVisitor {
    * @param classFiles class files by binary name, which may use each other; not modified
    */
   public static List<Refusal> check(SortedMap<String, byte[]> classFiles) {
+    return check(classFiles, classFiles.keySet(), name -> name.startsWith(INTERFACE));
+  }
+
+  /**
+   * Returns each use of something that generated classes of a model may not use, which came from
+   * elsewhere: they may use parts of the solver, too.
+   *
+   * @param classFiles class files by binary name; not modified
+   * @param ofUsers binary names of the classes of users that came with them
+   */
+  public static List<Refusal> checkModel(
+      SortedMap<String, byte[]> classFiles, Set<String> ofUsers) {
+    Set<String> own = new HashSet<>(classFiles.keySet());
+    own.addAll(ofUsers);
+    return check(classFiles, own, AllowedSolver::isClass);
+  }
+
+  private static List<Refusal> check(
+      SortedMap<String, byte[]> classFiles, Set<String> own, Predicate<String> product) {
     List<Refusal> findings = new ArrayList<>();
-    for (byte[] file : classFiles.values()) {
-      ClassReader reader = new ClassReader(file);
-      BytecodeVerifier verifier = new BytecodeVerifier(classFiles.keySet(), findings);
-      reader.accept(verifier, ClassReader.SKIP_FRAMES);
-      verifier.requireKnownConstants(reader);
-    }
+    classFiles.forEach(
+        (name, file) -> {
+          BytecodeVerifier verifier = new BytecodeVerifier(own, product, findings);
+          try {
+            ClassReader reader = new ClassReader(file);
+            reader.accept(verifier, ClassReader.SKIP_FRAMES);
+            verifier.requireKnownConstants(reader);
+          } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
+            verifier.className = name;
+            verifier.refuse("it is no class file that can be read", "", 0);
+          }
+        });
     return findings;
   }
 
@@ -263,7 +296,7 @@ public final class BytecodeVerifier extends ClassVisitor {
 
   private boolean allowed(String internalName) {
     return own.contains(internalName.replace('/', '.'))
-        || internalName.startsWith(INTERFACE)
+        || product.test(internalName)
         || AllowedJava.isClass(internalName);
   }
 
@@ -348,7 +381,7 @@ public final class BytecodeVerifier extends ClassVisitor {
       if (owner.startsWith("[")) {
         return requireMemberOfArray(Type.getObjectType(owner), name, how);
       }
-      boolean foreign = !own.contains(owner.replace('/', '.')) && !owner.startsWith(INTERFACE);
+      boolean foreign = !own.contains(owner.replace('/', '.')) && !product.test(owner);
       boolean inherited = !foreign && !AllowedJava.isMember("java/lang/Object", name);
       boolean refused = foreign ? !AllowedJava.isMember(owner, name) : inherited;
       if (refused) {

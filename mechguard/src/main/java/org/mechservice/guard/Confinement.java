@@ -196,20 +196,26 @@ public final class Confinement {
    * Returns what starts a Java program of this product that runs no code of users, in an ordinary
    * process with bounded memory, without environment. Without a choice of modules Java starts from
    * its archive of classes, and with one compiler sooner.
+   *
+   * @param optimising whether it runs long enough to be compiled a second time
    */
-  public static ProcessBuilder ordinary(WorkerBounds bounds, Class<?> main) {
-    ProcessBuilder builder =
-        new ProcessBuilder(
-            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-Xmx" + bounds.heapBytes(),
+  static ProcessBuilder ordinary(WorkerBounds bounds, Class<?> main, boolean optimising) {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.add("-Xmx" + bounds.heapBytes());
+    if (!optimising) {
+      command.add("-XX:TieredStopAtLevel=1");
+    }
+    command.addAll(
+        List.of(
             "-XX:+UseSerialGC",
-            "-XX:TieredStopAtLevel=1",
             "-XX:+ExitOnOutOfMemoryError",
             "-XX:+SuppressFatalErrorMessage",
             "-Xshare:auto",
             "-cp",
             System.getProperty("java.class.path"),
-            main.getName());
+            main.getName()));
+    ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().clear();
     return builder;
   }

@@ -26,27 +26,16 @@ enum SystemCallFilter {
         57,
         58,
         322, // fork, vfork, execveat
-        41,
-        425,
-        426,
-        427, // socket; io_uring, which opens sockets past a filter
+        41, // socket
         101,
         310,
-        311,
-        438, // ptrace, process_vm_readv, process_vm_writev, pidfd_getfd
+        311, // ptrace, process_vm_readv, process_vm_writev
         272,
         308,
         161,
         155,
         165,
-        166,
-        428,
-        429,
-        430,
-        431,
-        432,
-        433,
-        442, // namespaces and mounts
+        166, // namespaces and mounts
         248,
         249,
         250,
@@ -63,8 +52,7 @@ enum SystemCallFilter {
         64,
         68,
         240,
-        319,
-        447 // shared memory, semaphores, queues, memfd
+        319 // shared memory, semaphores, queues, memfd
       }),
   /** Numbers of asm-generic/unistd.h, where fork and vfork do not exist. */
   AARCH64(
@@ -73,27 +61,16 @@ enum SystemCallFilter {
       220,
       new int[] {
         281, // execveat
-        198,
-        425,
-        426,
-        427, // socket; io_uring
+        198, // socket
         117,
         270,
-        271,
-        438, // ptrace, process_vm_readv, process_vm_writev, pidfd_getfd
+        271, // ptrace, process_vm_readv, process_vm_writev
         97,
         268,
         51,
         41,
         40,
-        39,
-        428,
-        429,
-        430,
-        431,
-        432,
-        433,
-        442, // namespaces and mounts
+        39, // namespaces and mounts
         217,
         218,
         219,
@@ -110,9 +87,24 @@ enum SystemCallFilter {
         190,
         186,
         180,
-        279,
-        447 // shared memory, semaphores, queues, memfd
+        279 // shared memory, semaphores, queues, memfd
       });
+
+  /** Calls that are newer than their common numbers on all architectures. */
+  private static final int[] REFUSED_EVERYWHERE = {
+    425,
+    426,
+    427, // io_uring, which opens sockets past a filter
+    428,
+    429,
+    430,
+    431,
+    432,
+    433,
+    442, // mounts
+    438, // pidfd_getfd
+    447 // memfd_secret
+  };
 
   private static final int CLONE3 = 435;
   private static final int CLONE_THREAD = 0x10000;
@@ -170,7 +162,8 @@ enum SystemCallFilter {
   /** Returns the program; both architectures are little-endian. */
   byte[] program() {
     ByteBuffer program =
-        ByteBuffer.allocate((15 + 2 * refused.length) * INSTRUCTION_BYTES)
+        ByteBuffer.allocate(
+                (15 + 2 * (refused.length + REFUSED_EVERYWHERE.length)) * INSTRUCTION_BYTES)
             .order(ByteOrder.LITTLE_ENDIAN);
     add(program, LOAD, 0, 0, ARCHITECTURE);
     add(program, IF_EQUAL, 1, 0, audit);
@@ -180,10 +173,8 @@ enum SystemCallFilter {
     add(program, RETURN, 0, 0, ERROR | ENOSYS);
     add(program, IF_EQUAL, 0, 1, CLONE3);
     add(program, RETURN, 0, 0, ERROR | ENOSYS);
-    for (int number : refused) {
-      add(program, IF_EQUAL, 0, 1, number);
-      add(program, RETURN, 0, 0, ERROR | EPERM);
-    }
+    refuse(program, refused);
+    refuse(program, REFUSED_EVERYWHERE);
     add(program, IF_EQUAL, 1, 0, clone);
     add(program, RETURN, 0, 0, ALLOW);
     add(program, LOAD, 0, 0, FIRST_ARGUMENT);
@@ -191,6 +182,13 @@ enum SystemCallFilter {
     add(program, RETURN, 0, 0, ERROR | EPERM);
     add(program, RETURN, 0, 0, ALLOW);
     return Arrays.copyOf(program.array(), program.position());
+  }
+
+  private static void refuse(ByteBuffer program, int[] numbers) {
+    for (int number : numbers) {
+      add(program, IF_EQUAL, 0, 1, number);
+      add(program, RETURN, 0, 0, ERROR | EPERM);
+    }
   }
 
   /** Adds an instruction; the jumps count the instructions to skip. */

@@ -175,6 +175,7 @@ public final class MechServerProcess implements AutoCloseable {
       findable.close();
       metrics.ifPresent(MetricsEndpoint::close);
       ownHost.ifPresent(SimHost::close);
+      server.close();
       directory.close();
       orb.close();
       try {

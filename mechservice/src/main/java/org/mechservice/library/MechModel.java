@@ -635,7 +635,7 @@ public final class MechModel {
 
   /** Returns the SHA-256 of the model's class files, which identifies it to the bit. */
   public String sha256() {
-    return code.compiled().sha256();
+    return code.compiled().classes().sha256();
   }
 
   /**

@@ -1,10 +1,17 @@
 package org.mechservice.orb.tls;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.PrivateKey;
 import java.security.PublicKey;
 import java.security.Signature;
 import java.security.SignatureException;
+import java.security.cert.CertificateException;
+import java.security.cert.CertificateFactory;
+import java.security.cert.X509Certificate;
 
 /**
  * Signatures that travel beside what they sign. They are plain ones over SHA-256, so that other
@@ -16,6 +23,19 @@ public final class DetachedSignature {
   private static Signature algorithm(String keyAlgorithm) throws GeneralSecurityException {
     return Signature.getInstance(
         keyAlgorithm.equals("EC") ? "SHA256withECDSA" : "SHA256with" + keyAlgorithm);
+  }
+
+  /**
+   * Reads the certificate of a machine that signs.
+   *
+   * @param file its {@code identity.crt}
+   * @throws IOException if it cannot be read
+   * @throws CertificateException if it is no certificate
+   */
+  public static X509Certificate signer(Path file) throws IOException, CertificateException {
+    try (InputStream in = Files.newInputStream(file)) {
+      return (X509Certificate) CertificateFactory.getInstance("X.509").generateCertificate(in);
+    }
   }
 
   /** Returns the signature of bytes. */

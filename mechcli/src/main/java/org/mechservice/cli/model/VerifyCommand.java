@@ -1,11 +1,9 @@
 package org.mechservice.cli.model;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.cert.CertificateException;
-import java.security.cert.CertificateFactory;
 import java.security.cert.X509Certificate;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -77,8 +75,8 @@ public final class VerifyCommand implements Callable<Integer> {
   }
 
   private X509Certificate certificate() throws IOException {
-    try (InputStream in = Files.newInputStream(key)) {
-      return (X509Certificate) CertificateFactory.getInstance("X.509").generateCertificate(in);
+    try {
+      return DetachedSignature.signer(key);
     } catch (CertificateException e) {
       throw new UsageException(
           MessageCode.CERTIFICATES_UNUSABLE

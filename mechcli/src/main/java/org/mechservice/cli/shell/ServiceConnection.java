@@ -1,7 +1,10 @@
 package org.mechservice.cli.shell;
 
+import java.security.PublicKey;
+import java.util.List;
 import java.util.Optional;
 import org.mechservice.client.MechConnection;
+import org.mechservice.client.failure.ServerLostException;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.jar.JarCache;
 import org.mechservice.guard.UserCode;
@@ -12,9 +15,13 @@ import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.session.WarmUp;
 import org.mechservice.sim.user.UserClasses;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** The service a command asks: one on the network, or one started for this command alone. */
 public final class ServiceConnection implements AutoCloseable {
+  /** Attempts to reach the server of this process, each of which takes seconds. */
+  private static final int OWN_ATTEMPTS = 15;
+
   /** Name of the host within a command. */
   static final String EMBEDDED_NAME = "embedded";
 
@@ -57,9 +64,11 @@ public final class ServiceConnection implements AutoCloseable {
    */
   public static ServiceConnection open(ServerOption asked, int capacity, UserCode userCode) {
     if (!asked.address().isEmpty()) {
-      return new ServiceConnection(
-          Optional.empty(),
-          MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
+      List<PublicKey> accepted = asked.trustedSolvers();
+      MechConnection connection =
+          MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity());
+      accepted.forEach(connection::acceptSolversOf);
+      return new ServiceConnection(Optional.empty(), connection);
     }
     WarmUp.beginToBuild();
     if (!userCode.isNone()) {
@@ -72,10 +81,23 @@ public final class ServiceConnection implements AutoCloseable {
     MechServerProcess server =
         MechServerProcess.start(new ServerSettings("127.0.0.1", 0, embedded));
     try {
-      return new ServiceConnection(Optional.of(server), MechConnection.open(server.url()));
+      return new ServiceConnection(Optional.of(server), connected(server));
     } catch (ServiceException e) {
       server.close();
       throw e;
+    }
+  }
+
+  /** Connects to the server of this process, which is there, however long a busy machine takes. */
+  private static MechConnection connected(MechServerProcess own) {
+    for (int attempt = 1; ; attempt++) {
+      try {
+        return MechConnection.open(own.url());
+      } catch (ServerLostException e) {
+        if (attempt == OWN_ATTEMPTS || !e.code().equals(MessageCode.NO_SERVER_ANSWERS.code())) {
+          throw e;
+        }
+      }
     }
   }
 

@@ -18,8 +18,11 @@ import org.mechservice.cli.shell.FailureReport;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.failure.LimitExceededException;
+import org.mechservice.client.failure.ServerLostException;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.run.CheckpointStore;
 import org.mechservice.client.run.PreparedRun;
@@ -95,6 +98,12 @@ public final class SimulateCommand implements Callable<Integer> {
               + " scale.")
   private Optional<Double> maxDrift = Optional.empty();
 
+  /** Pauses while no host of the server takes sessions, ms. */
+  private static final long[] NO_HOST_PAUSES_MILLIS = {500, 1500, 3000, 5000};
+
+  /** Pauses before another session is opened, ms; a service manager restarts hosts. */
+  private static final long[] SET_UP_PAUSES_MILLIS = {500, 1500, 3000, 5000, 10_000, 10_000};
+
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -106,11 +115,11 @@ public final class SimulateCommand implements Callable<Integer> {
     List<AnimationFile> animations = animations();
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         ServiceConnection service = ServiceConnection.open(server, userCode.consent());
-        MechSession session = service.connection().openSession(host)) {
-      interrupt.cancels(session::close);
+        Attempt attempt = new Attempt(service.connection())) {
+      interrupt.cancels(attempt::close);
       RunFollower news = new RunFollower(this::printNews);
-      try (PreparedRun run = setUp(session, options, news);
-          ResultFiles files = results.open(expectedRows(session, run), animations)) {
+      try (PreparedRun run = attempt.setUp(options, news);
+          ResultFiles files = results.open(expectedRows(attempt.session(), run), animations)) {
         interrupt.cancelsRun(run);
         String id = printIdentity(run);
         return simulate(run, id, news, files, store);
@@ -121,6 +130,81 @@ public final class SimulateCommand implements Callable<Integer> {
         err().println(MessageCode.RUN_STOPPED + " the set-up was stopped; there are no rows.");
         return ExitStatus.INTERRUPTED;
       }
+    }
+  }
+
+  /** The set-up of the run, which begins again in a new session if its host dies. */
+  private final class Attempt implements AutoCloseable {
+    private final MechConnection connection;
+    private volatile MechSession session;
+    private volatile boolean closed;
+
+    Attempt(MechConnection connection) {
+      this.connection = connection;
+      session = opened();
+    }
+
+    /** Opens a session; where no host takes one, waits for those that are coming back just now. */
+    private MechSession opened() {
+      for (long pause : NO_HOST_PAUSES_MILLIS) {
+        try {
+          return connection.openSession(host);
+        } catch (LimitExceededException e) {
+          if (!e.code().equals(MessageCode.NO_PLACE_FOR_SESSION.code())) {
+            throw e;
+          }
+          pauseOr(pause, e);
+        }
+      }
+      return connection.openSession(host);
+    }
+
+    private void pauseOr(long millis, ServiceException refused) {
+      try {
+        Thread.sleep(millis);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        throw refused;
+      }
+    }
+
+    MechSession session() {
+      return session;
+    }
+
+    PreparedRun setUp(SimulationOptions options, RunFollower news) throws IOException {
+      for (long pause : SET_UP_PAUSES_MILLIS) {
+        try {
+          return SimulateCommand.this.setUp(session, options, news);
+        } catch (ServerLostException lost) {
+          if (closed || server.address().isEmpty()) {
+            throw lost;
+          }
+          printNews(lost.getMessage() + "; the model is set up again");
+          renew(lost, pause);
+        }
+      }
+      return SimulateCommand.this.setUp(session, options, news);
+    }
+
+    /** Opens a session on a host that is there; hosts may be coming back just now. */
+    private void renew(ServerLostException lost, long pause) {
+      MechSession gone = session;
+      Thread abandoned = new Thread(gone::close, "mech-abandon"); // may wait for its timeout
+      abandoned.setDaemon(true);
+      abandoned.start();
+      pauseOr(pause, lost);
+      try {
+        session = opened();
+      } catch (ServiceException e) {
+        lost.addSuppressed(e); // the next attempt fails at once, and waits longer
+      }
+    }
+
+    @Override
+    public void close() {
+      closed = true;
+      session.close();
     }
   }
 

@@ -29,10 +29,10 @@ import org.omg.CORBA.UserException;
  * @param address the server's address, as messages name it
  */
 public record RemoteCalls(String address) {
-  /** Pauses before the retries of a cut connection, ms; after the last, the server is lost. */
   /** Name of the limit of a message, as a {@link LimitExceededException} tells it. */
   public static final String MESSAGE_BYTES = "messageBytes";
 
+  /** Pauses before the retries of a cut connection, ms; after the last, the server is lost. */
   private static final long[] PAUSES_MILLIS = {0, 200, 800};
 
   /** A call that returns something. */
@@ -46,11 +46,20 @@ public record RemoteCalls(String address) {
   }
 
   /**
-   * Makes a call.
+   * Makes a call. A server that is silent for seconds is told by a warning.
    *
    * @throws ServiceException if the server refuses it or is lost
    */
   public <T> T get(Call<T> call) {
+    return CallWatch.around(address, () -> patiently(call));
+  }
+
+  /**
+   * Makes a call that may take long.
+   *
+   * @throws ServiceException if the server refuses it or is lost
+   */
+  <T> T patiently(Call<T> call) {
     try {
       return call.run();
     } catch (UserException e) {

@@ -25,7 +25,7 @@ import org.omg.CORBA.UserException;
 public record SetUpCalls(
     RemoteCalls calls, MechSim session, MechSim patient, Duration limit, Duration interval) {
   /** Default time between two questions. */
-  public static final Duration INTERVAL = Duration.ofSeconds(20);
+  public static final Duration INTERVAL = Duration.ofSeconds(3);
 
   /** A call of the session. */
   public interface Call<T> {
@@ -39,7 +39,7 @@ public record SetUpCalls(
    * @throws ServiceException if the server refuses it or is lost
    */
   public <T> T get(Call<T> call) {
-    FutureTask<T> task = new FutureTask<>(() -> calls.get(() -> call.of(patient)));
+    FutureTask<T> task = new FutureTask<>(() -> calls.patiently(() -> call.of(patient)));
     Thread thread = new Thread(task, "set-up");
     thread.setDaemon(true);
     thread.start();

@@ -11,14 +11,17 @@ import java.util.Collections;
 import java.util.Enumeration;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.simulation.Simulation;
 import org.mechservice.solver.text.Sha256;
 
 /**
- * Loads classes from fetched JARs. They share only the artifact {@code solver-api} with the client,
- * whose types client and solver exchange; the solver is the server's, bit for bit.
+ * Loads classes from fetched JARs. A model runs with the solver of this process, or with one that
+ * came with it; then both share only the artifact {@code solver-api} with the client, whose types
+ * client and solver exchange.
  */
 final class FetchedClasses extends ClassLoader {
   /** The packages of artifact {@code solver-api}; the ones below them belong to it too. */
@@ -29,17 +32,36 @@ final class FetchedClasses extends ClassLoader {
           Sha256.class.getPackageName());
 
   private static final String PRODUCT = "org.mechservice.";
+  private static final String SOLVER = PRODUCT + "solver.";
 
   private final List<FetchedJar> jars;
   private final Optional<ClassLoader> userClasses;
 
   /**
+   * @param runtime JAR of the solver; empty: that of this process
    * @param userClasses loader of what users have written, in place of what the JARs have of it
    */
-  FetchedClasses(List<FetchedJar> jars, Optional<ClassLoader> userClasses) {
-    super("fetched", new SharedApi());
-    this.jars = List.copyOf(jars);
+  FetchedClasses(
+      FetchedJar model, Optional<FetchedJar> runtime, Optional<ClassLoader> userClasses) {
+    super("fetched", runtime.isPresent() ? new SharedApi() : Simulation.class.getClassLoader());
+    jars = Stream.concat(Stream.of(model), runtime.stream()).toList();
     this.userClasses = userClasses;
+  }
+
+  /** What the model has of its own comes from it, whatever this process calls so. */
+  @Override
+  protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+    if (name.startsWith(SOLVER) || jars.get(0).entry(file(name)).isEmpty()) {
+      return super.loadClass(name, resolve);
+    }
+    synchronized (getClassLoadingLock(name)) {
+      Class<?> loaded = findLoadedClass(name);
+      return loaded == null ? findClass(name) : loaded;
+    }
+  }
+
+  private static String file(String name) {
+    return name.replace('.', '/') + ".class";
   }
 
   @Override
@@ -47,9 +69,7 @@ final class FetchedClasses extends ClassLoader {
     if (userClasses.isPresent() && !name.startsWith(PRODUCT)) {
       return userClasses.get().loadClass(name);
     }
-    byte[] bytes =
-        entry(name.replace('.', '/') + ".class")
-            .orElseThrow(() -> new ClassNotFoundException(name));
+    byte[] bytes = entry(file(name)).orElseThrow(() -> new ClassNotFoundException(name));
     return defineClass(name, bytes, 0, bytes.length);
   }
 

@@ -22,13 +22,14 @@ import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.text.Sha256;
 
 /**
- * A model and the solver that came with it, loaded separately from the client's own classes.
+ * A model that was fetched, with the solver of this process or one that came with it.
  *
  * @param modelClass a {@link Model} or a {@link ModelSource}
- * @param solver the server's solver
+ * @param solver runs it
  * @param sha256 of the model's JAR
  * @param formulationReason reason for the model's formulation; empty if unknown
  * @param shown column groups its file selects
@@ -42,6 +43,7 @@ public record FetchedModel(
     Optional<String> formulationReason,
     Set<ColumnGroup> shown,
     Optional<String> userCode) {
+  private static final Solver OWN_SOLVER = new RuntimeSolver();
   private static final String CLASS = ".class";
 
   /** Package of generated classes; users have no classes there. */
@@ -51,21 +53,28 @@ public record FetchedModel(
   private static final String REASON_ATTRIBUTE = "Mech-Formulation-Reason";
 
   /**
-   * Loads a model with its solver.
+   * Loads a model, whose classes are verified before.
    *
+   * @param runtimeJar the solver that came with it; empty: that of this process
    * @param consent whether classes of users may run where they cannot be confined
-   * @throws JarRefusedException if they do not fit this client or each other, or a class of a user
-   *     uses what it must not (S-156)
+   * @throws JarRefusedException if they do not fit this client or each other, or a class uses what
+   *     it must not (S-232; of a user: S-156)
    */
-  public static FetchedModel load(BuiltJar modelJar, byte[] runtimeJar, UserCode consent) {
+  public static FetchedModel load(
+      BuiltJar modelJar, Optional<byte[]> runtimeJar, UserCode consent) {
     FetchedJar model = FetchedJar.read(modelJar.bytes(), "the model JAR");
-    FetchedJar runtime = FetchedJar.read(runtimeJar, "the runtime JAR");
-    Optional<ClassLoader> userClasses = userClasses(model, consent);
-    FetchedClasses classes = new FetchedClasses(List.of(model, runtime), userClasses);
+    Optional<FetchedJar> runtime =
+        runtimeJar.map(bytes -> FetchedJar.read(bytes, "the runtime JAR"));
+    SortedMap<String, byte[]> ofUsers = classFiles(model, false);
+    requirePermitted(
+        MessageCode.MODEL_CLASS_NOT_PERMITTED,
+        BytecodeVerifier.checkModel(classFiles(model, true), ofUsers.keySet()));
+    Optional<ClassLoader> userClasses = userClasses(ofUsers, consent);
+    FetchedClasses classes = new FetchedClasses(model, runtime, userClasses);
     try {
       return new FetchedModel(
           modelClass(classes, modelJar.mainClass()),
-          solver(classes),
+          runtime.isPresent() ? solver(classes) : OWN_SOLVER,
           Sha256.of(modelJar.bytes()),
           model.attribute(REASON_ATTRIBUTE),
           ColumnGroup.of(model.attribute(SHOWN_ATTRIBUTE).orElse(ColumnGroup.JOINTS.label())),
@@ -79,25 +88,12 @@ public record FetchedModel(
    * Returns the loader of what the model's users have written: classes that hand each call on to a
    * confined process.
    */
-  private static Optional<ClassLoader> userClasses(FetchedJar model, UserCode consent) {
-    SortedMap<String, byte[]> files = new TreeMap<>();
-    for (String name : model.names()) {
-      if (name.endsWith(CLASS) && !name.startsWith(GENERATED)) {
-        files.put(
-            name.substring(0, name.length() - CLASS.length()).replace('/', '.'),
-            model.entry(name).orElseThrow());
-      }
-    }
+  private static Optional<ClassLoader> userClasses(
+      SortedMap<String, byte[]> files, UserCode consent) {
     if (files.isEmpty()) {
       return Optional.empty();
     }
-    BytecodeVerifier.check(files).stream()
-        .findFirst()
-        .ifPresent(
-            use -> {
-              throw new JarRefusedException(
-                  MessageCode.USER_CLASS_NOT_PERMITTED.code(), use.text());
-            });
+    requirePermitted(MessageCode.USER_CLASS_NOT_PERMITTED, BytecodeVerifier.check(files));
     try {
       return Optional.of(new ForceRelay(files, consent).newLoader());
     } catch (IllegalArgumentException e) {
@@ -106,9 +102,38 @@ public record FetchedModel(
     }
   }
 
+  /**
+   * Returns class files by binary name.
+   *
+   * @param generated whether the generated ones; else those of users
+   */
+  private static SortedMap<String, byte[]> classFiles(FetchedJar model, boolean generated) {
+    SortedMap<String, byte[]> files = new TreeMap<>();
+    for (String name : model.names()) {
+      if (name.endsWith(CLASS) && name.startsWith(GENERATED) == generated) {
+        files.put(
+            name.substring(0, name.length() - CLASS.length()).replace('/', '.'),
+            model.entry(name).orElseThrow());
+      }
+    }
+    return files;
+  }
+
+  private static void requirePermitted(MessageCode code, List<BytecodeVerifier.Refusal> refusals) {
+    refusals.stream()
+        .findFirst()
+        .ifPresent(
+            use -> {
+              throw new JarRefusedException(code.code(), use.text());
+            });
+  }
+
   private static Class<?> modelClass(FetchedClasses classes, String mainClass)
       throws ReflectiveOperationException {
     Class<?> type = classes.loadClass(mainClass);
+    if (type.getClassLoader() != classes) {
+      throw refused("names " + mainClass + ", which it does not contain");
+    }
     if (!Model.class.isAssignableFrom(type) && !ModelSource.class.isAssignableFrom(type)) {
       throw refused("names " + mainClass + ", which is no model");
     }

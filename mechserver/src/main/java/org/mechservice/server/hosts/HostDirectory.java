@@ -1,5 +1,6 @@
 package org.mechservice.server.hosts;
 
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -34,6 +35,9 @@ import org.omg.CORBA.UserException;
  * remembers the latest of them for administrators.
  */
 public final class HostDirectory implements AutoCloseable {
+  /** So many times as long as for others. */
+  private static final int OWN_PATIENCE = 15;
+
   private static final int DROPPED_KEPT = 20;
   private static final int EVENTS_AT_ONCE = 1000;
   private static final int READ_AT_ONCE = 8;
@@ -246,10 +250,12 @@ public final class HostDirectory implements AutoCloseable {
     }
   }
 
+  /** The host in this process is there, however busy the machine is; if it hangs, it is told. */
   private void noteSilent() {
     for (RegisteredHost host : all()) {
-      if (host.reachable() && host.isOverdue(tuning.hostAnswer())) {
-        host.silent(HostCalls.late(tuning.hostAnswer()));
+      Duration patience = tuning.hostAnswer().multipliedBy(host.own() ? OWN_PATIENCE : 1);
+      if (host.reachable() && host.isOverdue(patience)) {
+        host.silent(HostCalls.late(patience));
       }
     }
   }

@@ -22,9 +22,13 @@ import org.mechservice.idl.ServerInfo;
 import org.mechservice.orb.ServiceVersion;
 import org.mechservice.orb.tls.Caller;
 import org.mechservice.sim.service.contract.ContractErrors;
-import org.mechservice.sim.service.library.ModelImport;
+import org.mechservice.sim.service.library.ClassLibrary;
 import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.limits.HostLimit;
+import org.mechservice.sim.service.limits.SetUpPlaces;
 import org.mechservice.sim.service.session.SessionNames;
+import org.mechservice.sim.service.setup.SetUpWorkers;
+import org.mechservice.sim.service.setup.SetUps;
 
 /** The servant of the interface for clients. */
 public final class MechServerServant implements MechServerOperations {
@@ -53,6 +57,8 @@ public final class MechServerServant implements MechServerOperations {
   private final HostDirectory directory;
   private final Placement placement;
   private final CurrentLimits limits;
+  private final SetUpWorkers setUps;
+  private final SetUpPlaces places;
   private final long startedAt = System.currentTimeMillis();
   private final AtomicBoolean draining = new AtomicBoolean();
 
@@ -62,6 +68,13 @@ public final class MechServerServant implements MechServerOperations {
     this.directory = directory;
     this.placement = placement;
     this.limits = limits;
+    setUps = new SetUpWorkers(limits, new ClassLibrary());
+    places = new SetUpPlaces(limits);
+  }
+
+  /** Ends the processes in which models of other formats are read. */
+  public void close() {
+    setUps.close();
   }
 
   /** Takes no new sessions, or takes them again. */
@@ -139,7 +152,20 @@ public final class MechServerServant implements MechServerOperations {
   @Override
   public ModelFile importModel(ModelFile foreign, DiagnosticSeqHolder losses)
       throws InvalidModel, NotAvailable, LimitExceeded {
-    return ModelImport.translate(foreign, losses, limits.now());
+    long most = limits.now().of(HostLimit.MODEL_BYTES);
+    int bytes = foreign.content.length;
+    if (bytes > most) {
+      throw HostLimit.MODEL_BYTES.refusal(
+          most, bytes, "the file has " + bytes + " bytes; this server takes at most " + most);
+    }
+    SetUpPlaces.Place place = places.enter(SessionNames.ofClient(Caller.current().name("")));
+    try {
+      SetUps.Translated translated = setUps.setUps().translate(foreign);
+      losses.value = translated.losses();
+      return translated.model();
+    } finally {
+      places.leave(place);
+    }
   }
 
   @Override

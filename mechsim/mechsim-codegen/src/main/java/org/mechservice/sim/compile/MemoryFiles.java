@@ -17,6 +17,7 @@ import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardLocation;
+import org.mechservice.guard.SolverClasses;
 
 /**
  * The files of a compilation: the classes of the JDK, and on the class path some packages of the

@@ -9,9 +9,9 @@
  *
  * <p>{@link org.mechservice.sim.compile.ModelClassLoader} loads the classes of one model; {@link
  * org.mechservice.sim.compile.ReusedCode} those of many that differ in numbers only, once. {@link
- * org.mechservice.sim.compile.SolverClasses} gives the class files of this process's solver and
- * their fingerprint. {@link org.mechservice.sim.compile.ReachableClasses} follows the names in
- * constant pools from given classes to all classes that they need (JVMS §4.4).
+ * org.mechservice.guard.SolverClasses} gives the class files of this process's solver and their
+ * fingerprint. {@link org.mechservice.sim.compile.ReachableClasses} follows the names in constant
+ * pools from given classes to all classes that they need (JVMS §4.4).
  *
  * <p>Depends on {@code javax.tools} and ASM only.
  */

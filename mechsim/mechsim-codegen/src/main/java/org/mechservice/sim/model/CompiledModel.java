@@ -1,29 +1,20 @@
 package org.mechservice.sim.model;
 
-import java.io.ByteArrayOutputStream;
-import java.lang.reflect.Constructor;
-import java.util.Collections;
-import java.util.Optional;
 import java.util.SortedMap;
-import java.util.TreeMap;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.sim.compile.ModelClassLoader;
 import org.mechservice.sim.user.IdleForces;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
-import org.mechservice.solver.text.Sha256;
 
-/** A generated model and its class files. Immutable; shared freely between threads. */
+/**
+ * A generated model, its class files and the model file that it was generated from. Immutable;
+ * shared freely between threads.
+ */
 public final class CompiledModel {
   private final MechmlModel source;
-  private final GeneratedFacts generated;
   private final BuildOptions options;
-  private final SortedMap<String, byte[]> classFiles;
-  private final UserClasses userClasses;
-  private final SortedMap<String, byte[]> ownFiles;
-  private final Constructor<?> describing;
-  private Optional<Constructor<?>> running = Optional.empty();
+  private final ModelClasses classes;
 
   /**
    * Loads the class of a model.
@@ -41,30 +32,13 @@ public final class CompiledModel {
       SortedMap<String, byte[]> classFiles,
       UserClasses userClasses) {
     this.source = source;
-    this.generated = generated.facts();
     this.options = options;
-    this.userClasses = userClasses;
-    ownFiles = classFiles;
-    describing =
-        constructor(
-            generated.className(),
-            classFiles,
-            UserClasses.loaderOf(IdleForces.of(source.mechanism())));
-    if (userClasses.isEmpty()) {
-      running = Optional.of(describing);
-    }
-    SortedMap<String, byte[]> all = new TreeMap<>(classFiles);
-    all.putAll(userClasses.classFiles());
-    this.classFiles = Collections.unmodifiableSortedMap(all);
-  }
-
-  private static Constructor<?> constructor(
-      String className, SortedMap<String, byte[]> classFiles, ClassLoader userClasses) {
-    try {
-      return new ModelClassLoader(classFiles, userClasses).loadClass(className).getConstructor();
-    } catch (ReflectiveOperationException e) {
-      throw new IllegalStateException("the generated class " + className + " cannot be loaded", e);
-    }
+    classes =
+        new ModelClasses(
+            generated.facts(),
+            new ModelClasses.Files(
+                classFiles, userClasses.classFiles(), IdleForces.of(source.mechanism())),
+            userClasses::loader);
   }
 
   /** Returns the model file that it was generated from. */
@@ -72,9 +46,14 @@ public final class CompiledModel {
     return source;
   }
 
+  /** Returns its classes, which run without the model file. */
+  public ModelClasses classes() {
+    return classes;
+  }
+
   /** Returns the facts about its code; the plan of the code is not kept. */
   public GeneratedFacts generated() {
-    return generated;
+    return classes.generated();
   }
 
   /** Returns the options of the build. */
@@ -86,29 +65,17 @@ public final class CompiledModel {
    * Returns class file bytes by binary class name, including user classes; must not be modified.
    */
   public SortedMap<String, byte[]> classFiles() {
-    return classFiles;
-  }
-
-  /** Returns the total size of its class files in bytes. */
-  public long classBytes() {
-    return classFiles.values().stream().mapToLong(file -> file.length).sum();
-  }
-
-  /** Returns the SHA-256 of its class files, which identifies it to the bit. */
-  public String sha256() {
-    ByteArrayOutputStream all = new ByteArrayOutputStream();
-    classFiles.values().forEach(all::writeBytes);
-    return Sha256.of(all.toByteArray());
+    return classes.all();
   }
 
   /** Returns the class files of its users, by binary class name; not to be modified. */
   public SortedMap<String, byte[]> userClassFiles() {
-    return userClasses.classFiles();
+    return classes.files().ofUsers();
   }
 
   /** Returns whether the model contains user classes. */
   public boolean hasUserClasses() {
-    return !userClasses.isEmpty();
+    return classes.hasUserClasses();
   }
 
   /**
@@ -116,49 +83,21 @@ public final class CompiledModel {
    * loaded for it; their forces are zero.
    */
   public Model withoutUserClasses() {
-    return describing().model();
+    return classes.describing().model();
   }
 
   /**
-   * Returns a source of instances as {@link #withoutUserClasses} returns, with values of
-   * parameters.
-   */
-  public ModelSource describing() {
-    return source(describing);
-  }
-
-  /**
-   * Returns a new instance of the model, for one run. Its classes are loaded once; user classes are
-   * loaded in a confined process, which the instance asks.
+   * Returns a new instance of the model, for one run; see {@link ModelClasses#instances}.
    *
    * @throws IllegalArgumentException S-068 if a user class cannot be used, S-168 if this machine
    *     cannot confine it
    */
   public Model newInstance() {
-    return instances().model();
+    return classes.newInstance();
   }
 
-  /**
-   * Returns a source of instances of the model, with given values of its tunable parameters. Each
-   * run needs its own instance.
-   */
+  /** Returns a source of instances of the model; see {@link ModelClasses#instances}. */
   public ModelSource instances() {
-    return source(running());
-  }
-
-  private synchronized Constructor<?> running() {
-    if (running.isEmpty()) {
-      running = Optional.of(constructor(generated.className(), ownFiles, userClasses.loader()));
-    }
-    return running.get();
-  }
-
-  private ModelSource source(Constructor<?> constructor) {
-    try {
-      return ModelSource.from(constructor.newInstance());
-    } catch (ReflectiveOperationException e) {
-      throw new IllegalStateException(
-          "the generated class " + generated.className() + " cannot be instantiated", e);
-    }
+    return classes.instances();
   }
 }

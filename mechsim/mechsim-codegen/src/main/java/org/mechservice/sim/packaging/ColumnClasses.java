@@ -5,7 +5,7 @@ import static java.util.Map.entry;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.mechservice.sim.compile.SolverClasses;
+import org.mechservice.guard.SolverClasses;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 

@@ -10,7 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.mechservice.sim.compile.SolverClasses;
+import org.mechservice.guard.SolverClasses;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.mechservice.solver.text.Sha256;

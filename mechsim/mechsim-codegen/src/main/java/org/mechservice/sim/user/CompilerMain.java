@@ -1,27 +1,19 @@
 package org.mechservice.sim.user;
 
-import java.io.BufferedInputStream;
-import java.io.BufferedOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
-import java.io.EOFException;
-import java.io.FileDescriptor;
-import java.io.FileInputStream;
-import java.io.FileOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import javax.tools.Diagnostic;
 import javax.tools.JavaFileObject;
+import org.mechservice.guard.WarmMain;
 import org.mechservice.sim.compile.Compilation;
 import org.mechservice.solver.api.UserForce;
 
@@ -40,57 +32,23 @@ final class CompilerMain {
   private static final Set<String> VISIBLE_PACKAGES = Set.of(UserForce.class.getPackageName());
 
   private static final long IDLE_MILLIS = 60_000;
-  private static final long LOOK_MILLIS = 1000;
 
   /** Longest text of a message, in characters; 3 bytes each fit into it. */
   private static final int MOST_TEXT = 10_000;
 
-  private final DataInputStream in;
   private final DataOutputStream out;
-  private volatile long idleSince = System.nanoTime();
-  private volatile boolean busy;
 
-  private CompilerMain(DataInputStream in, DataOutputStream out) {
-    this.in = in;
+  private CompilerMain(DataOutputStream out) {
     this.out = out;
   }
 
   /** Answers what comes on standard input, until it ends or nothing comes for a minute. */
   public static void main(String[] arguments) throws IOException {
-    OutputStream out = new FileOutputStream(FileDescriptor.out);
-    System.setOut(new PrintStream(OutputStream.nullOutputStream(), false, "US-ASCII"));
-    CompilerMain main =
-        new CompilerMain(
-            new DataInputStream(new BufferedInputStream(new FileInputStream(FileDescriptor.in))),
-            new DataOutputStream(new BufferedOutputStream(out)));
-    Thread watch = new Thread(main::watch, "idle");
-    watch.setDaemon(true);
-    watch.start();
-    try {
-      while (true) {
-        main.answer();
-      }
-    } catch (EOFException e) {
-      Runtime.getRuntime().halt(0);
-    }
+    WarmMain.serve((first, in, out) -> new CompilerMain(out).answer(in), IDLE_MILLIS);
   }
 
-  private void watch() {
-    Optional<ProcessHandle> parent = ProcessHandle.current().parent();
-    try {
-      while (ProcessHandle.current().parent().equals(parent)
-          && (busy || (System.nanoTime() - idleSince) / 1_000_000 < IDLE_MILLIS)) {
-        Thread.sleep(LOOK_MILLIS);
-      }
-    } catch (InterruptedException e) {
-      // Ends the process, too.
-    }
-    Runtime.getRuntime().halt(0);
-  }
-
-  private void answer() throws IOException {
+  private void answer(DataInputStream in) throws IOException {
     int count = in.readInt();
-    busy = true;
     Map<String, String> sources = new TreeMap<>();
     for (int i = 0; i < count; i++) {
       String name = in.readUTF();
@@ -103,9 +61,6 @@ final class CompilerMain {
       others.put(name, in.readNBytes(in.readInt()));
     }
     compile(sources, others);
-    out.flush();
-    idleSince = System.nanoTime();
-    busy = false;
   }
 
   private void compile(Map<String, String> sources, SortedMap<String, byte[]> others)

@@ -1,24 +1,16 @@
 package org.mechservice.sim.user;
 
-import java.io.BufferedInputStream;
-import java.io.BufferedOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
-import java.io.InterruptedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.concurrent.CancellationException;
-import java.util.concurrent.ConcurrentLinkedDeque;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
-import org.mechservice.guard.Confinement;
+import org.mechservice.guard.LostProcessException;
+import org.mechservice.guard.WarmProcesses;
 import org.mechservice.guard.WorkerBounds;
 import org.mechservice.solver.text.WellFormedText;
 
@@ -30,16 +22,16 @@ import org.mechservice.solver.text.WellFormedText;
  */
 final class CompilerProcess {
   /** Enough for ten thousand lines; a source of users has a few hundred. */
-  private static final long HEAP = 512L << 20;
+  private static final WorkerBounds BOUNDS = new WorkerBounds(512L << 20, -1);
 
   private static final long PATIENCE_SECONDS = 60;
-  private static final int EXIT_OUT_OF_MEMORY = 3;
   private static final int MOST_IDLE = 2;
   private static final int MOST_FILES = 10_000;
   private static final int MOST_BYTES = 64 << 20;
-  private static final double MEGABYTE = 1e6;
 
-  private static final ConcurrentLinkedDeque<CompilerProcess> IDLE = new ConcurrentLinkedDeque<>();
+  /** Each waits for a caller that has a thread; the caller bounds how many there are. */
+  private static final WarmProcesses WARM =
+      new WarmProcesses(CompilerMain.class, false, Integer.MAX_VALUE, MOST_IDLE);
 
   /**
    * A message of the compiler.
@@ -60,17 +52,12 @@ final class CompilerProcess {
    */
   record Result(SortedMap<String, byte[]> classFiles, List<Said> errors, String givenUp) {}
 
-  private final Process process;
   private final DataOutputStream out;
   private final DataInputStream in;
 
-  private CompilerProcess() throws IOException {
-    process =
-        Confinement.ordinary(new WorkerBounds(HEAP, -1), CompilerMain.class)
-            .redirectError(ProcessBuilder.Redirect.DISCARD)
-            .start();
-    out = new DataOutputStream(new BufferedOutputStream(process.getOutputStream()));
-    in = new DataInputStream(new BufferedInputStream(process.getInputStream()));
+  private CompilerProcess(DataOutputStream out, DataInputStream in) {
+    this.out = out;
+    this.in = in;
   }
 
   /**
@@ -81,15 +68,13 @@ final class CompilerProcess {
    */
   static Result compile(Map<String, String> sources, SortedMap<String, byte[]> others) {
     try {
-      CompilerProcess idle = IDLE.pollFirst();
-      if (idle != null && idle.process.isAlive()) {
-        try {
-          return idle.answer(sources, others);
-        } catch (IOException e) {
-          // It had waited long enough just now: another one is asked.
-        }
-      }
-      return new CompilerProcess().answer(sources, others);
+      return WARM.ask(
+          BOUNDS,
+          "",
+          PATIENCE_SECONDS,
+          (out, in) -> new CompilerProcess(out, in).ask(sources, others));
+    } catch (LostProcessException e) {
+      return failed(String.valueOf(e.getMessage()));
     } catch (IOException e) {
       return failed("its process could not be used: " + e.getMessage());
     }
@@ -101,7 +86,7 @@ final class CompilerProcess {
         new Thread(
             () -> {
               try {
-                IDLE.addFirst(new CompilerProcess());
+                WARM.prepare(BOUNDS, (out, in) -> "");
               } catch (IOException e) {
                 // The first source finds out.
               }
@@ -115,52 +100,9 @@ final class CompilerProcess {
     return new Result(new TreeMap<>(), List.of(), why);
   }
 
-  private Result answer(Map<String, String> sources, SortedMap<String, byte[]> others)
-      throws IOException {
-    FutureTask<Result> dialogue = new FutureTask<>(() -> ask(sources, others));
-    Thread asking = new Thread(dialogue, "mechservice-compiler");
-    asking.setDaemon(true);
-    asking.start();
-    boolean done = false;
-    try {
-      Result result = dialogue.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
-      done = true;
-      return result;
-    } catch (TimeoutException e) {
-      return failed("it takes more than " + PATIENCE_SECONDS + " s");
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new CancellationException("the compilation was interrupted");
-    } catch (ExecutionException e) {
-      if (!(e.getCause() instanceof IOException)) {
-        throw new IllegalStateException(e.getCause());
-      }
-      return ended();
-    } finally {
-      if (done && IDLE.size() < MOST_IDLE) {
-        IDLE.addFirst(this);
-      } else {
-        process.destroyForcibly();
-      }
-    }
-  }
-
-  private Result ended() throws IOException {
-    try {
-      if (process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)
-          && process.exitValue() == EXIT_OUT_OF_MEMORY) {
-        return failed(
-            String.format("it needs more than the %.0f MB of memory that it has", HEAP / MEGABYTE));
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new InterruptedIOException("the compilation was interrupted");
-    }
-    throw new IOException("it ended");
-  }
-
   private Result ask(Map<String, String> sources, SortedMap<String, byte[]> others)
       throws IOException {
+    out.writeByte(0);
     out.writeInt(sources.size());
     for (Map.Entry<String, String> source : sources.entrySet()) {
       out.writeUTF(source.getKey());

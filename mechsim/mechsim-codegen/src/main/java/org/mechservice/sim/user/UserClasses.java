@@ -71,6 +71,16 @@ public final class UserClasses {
    *     and line
    */
   public void requireHarmless() throws MechmlException {
+    requireHarmless(classFiles);
+  }
+
+  /**
+   * Verifies that classes may run on a server.
+   *
+   * @param classFiles bytes by binary class name; not modified
+   * @throws MechmlException S-156 if a class uses something not permitted
+   */
+  public static void requireHarmless(SortedMap<String, byte[]> classFiles) throws MechmlException {
     UserCodeFindings findings = new UserCodeFindings();
     BytecodeVerifier.check(classFiles)
         .forEach(

@@ -177,7 +177,7 @@ class NothingUnneededTest {
     new ClassReader(Objects.requireNonNull(compiled.classFiles().get(equations)))
         .accept(inventory, 0);
     assertThat(inventory.fields).containsExactly("w");
-    assertThat(compiled.describing().parameters()).hasSize(1);
+    assertThat(compiled.classes().describing().parameters()).hasSize(1);
     assertThat(compiled.newInstance().description().name()).isEqualTo(pendulum.name());
   }
 

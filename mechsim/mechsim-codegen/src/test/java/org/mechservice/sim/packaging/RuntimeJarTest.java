@@ -15,7 +15,7 @@ import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.sim.compile.SolverClasses;
+import org.mechservice.guard.SolverClasses;
 import org.mechservice.solver.api.Solver;
 
 /** The runtime JAR: an ordinary JAR of the whole solver, made once by the build. */

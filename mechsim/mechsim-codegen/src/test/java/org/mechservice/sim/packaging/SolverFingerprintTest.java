@@ -14,7 +14,7 @@ import java.util.Objects;
 import java.util.StringTokenizer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.sim.compile.SolverClasses;
+import org.mechservice.guard.SolverClasses;
 
 /** The fingerprint of the solver: it decides whether the runtime JAR of the build is used. */
 final class SolverFingerprintTest {

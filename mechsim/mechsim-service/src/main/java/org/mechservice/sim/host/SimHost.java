@@ -89,7 +89,6 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
     userCode = options.userCode() == UserCodePolicy.REFUSED ? "refused" : "allowed";
     journal = new Journal(options.name());
     denials = new DenialLog(journal);
-    warmUp = new WarmUp(orb, solver);
     sessions =
         new SessionTable(
             orb,
@@ -101,6 +100,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
             journal,
             denials,
             options.userCode());
+    warmUp = new WarmUp(orb, solver, sessions.setUps());
   }
 
   /** Returns the host as servers call it; without TLS anybody on this machine may. */

@@ -305,7 +305,10 @@ public enum MessageCode {
   START_ENDED("S-215", WARNING),
   GRADIENT_UNUSABLE("S-216"),
   GRADIENT_FAILED("S-217"),
-  SET_UP_TOO_LONG("S-230");
+  SET_UP_TOO_LONG("S-230"),
+  SOLVER_NOT_ACCEPTED("S-231"),
+  MODEL_CLASS_NOT_PERMITTED("S-232"),
+  SERVER_SILENT("S-233", WARNING);
 
   private final String code;
   private final Severity severity;

@@ -18,6 +18,7 @@ import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;
+import org.omg.CORBA.IMP_LIMIT;
 
 /**
  * Makes the exceptions of the contract, each with its code of the error catalogue, also from the
@@ -50,6 +51,11 @@ public final class ContractErrors {
    */
   public static LimitExceeded limit(String name, long value, long requested, String text) {
     return new LimitExceeded(MessageCode.LIMIT_EXCEEDED.code(), text, name, value, requested);
+  }
+
+  /** Returns a refusal of an operation whose contract has none of this kind. */
+  public static IMP_LIMIT undeclared(LimitExceeded refusal) {
+    return new IMP_LIMIT(refusal.code + " " + refusal.text);
   }
 
   /** Returns the refusal of a session because no host accepts one. */

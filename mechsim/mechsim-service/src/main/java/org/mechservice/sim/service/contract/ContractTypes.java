@@ -1,10 +1,12 @@
 package org.mechservice.sim.service.contract;
 
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import org.mechservice.idl.Channel;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.FailureRecord;
+import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.StepTried;
@@ -43,6 +45,11 @@ public final class ContractTypes {
 
   public static Diagnostic diagnostic(Severity weight, MessageCode code, String text) {
     return new Diagnostic(weight, code.code(), text, "", "", 0, 0);
+  }
+
+  /** Returns a text as a file. */
+  public static ModelFile file(String name, String text) {
+    return new ModelFile(name, text.getBytes(StandardCharsets.UTF_8));
   }
 
   public static Channel[] channels(List<Variable> variables) {

@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.regex.Pattern;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.InvalidModel;
-import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.mechml.diagnosis.Diagnostic;
@@ -16,8 +15,6 @@ import org.mechservice.mechml.document.DocumentWriter;
 import org.mechservice.robot.RobotImport;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
-import org.mechservice.sim.service.limits.HostLimit;
-import org.mechservice.sim.service.limits.HostLimits;
 
 /** Translates models of other formats. */
 public final class ModelImport {
@@ -33,20 +30,11 @@ public final class ModelImport {
    *
    * @param foreign the file; the suffix of its name is its format
    * @param losses receives the parts that are not in the result, then the warnings of the model
-   * @param limits of the host
    * @throws InvalidModel if the file cannot be used
    * @throws NotAvailable if its format is not known
-   * @throws LimitExceeded if it is too large
    */
-  public static ModelFile translate(
-      ModelFile foreign, DiagnosticSeqHolder losses, HostLimits limits)
-      throws InvalidModel, NotAvailable, LimitExceeded {
-    long most = limits.of(HostLimit.MODEL_BYTES);
-    int bytes = foreign.content.length;
-    if (bytes > most) {
-      throw HostLimit.MODEL_BYTES.refusal(
-          most, bytes, "the file has " + bytes + " bytes; this server takes at most " + most);
-    }
+  public static ModelFile translate(ModelFile foreign, DiagnosticSeqHolder losses)
+      throws InvalidModel, NotAvailable {
     String name = foreign.fileName.toLowerCase(Locale.ROOT);
     if (ROBOTS.stream().noneMatch(name::endsWith)) {
       throw ContractErrors.notAvailable(

@@ -28,7 +28,7 @@ import org.mechservice.sim.model.ModelFactory;
  */
 public final class ModelLibrary implements AutoCloseable {
   /** Of models that are small enough. */
-  private static final int KEPT = 64;
+  static final int KEPT = 64;
 
   private static final int CHECK_REPORTS_KEPT = 32;
 
@@ -47,7 +47,7 @@ public final class ModelLibrary implements AutoCloseable {
   private final BoundedCache<Key, GeneratedModel> generated =
       new BoundedCache<>(KEPT, PLANNED_VALUES, GeneratedModel::plannedValues);
   private final BoundedCache<Key, CompiledModel> compiled =
-      new BoundedCache<>(KEPT, CLASS_BYTES, CompiledModel::classBytes);
+      new BoundedCache<>(KEPT, CLASS_BYTES, model -> model.classes().classBytes());
 
   private record ModelText(String fileName, String text) {}
 

@@ -32,14 +32,25 @@ public enum HostLimit {
       1,
       MessageCode.TOO_MANY_BUILDS,
       "models of one client that are read or built at once"),
-  /** Far above what the largest models take; somebody waits for the answer. */
+  /** Twenty times what 50 000 bodies take; somebody waits for the answer. */
   SET_UP_TIME(
       "setUpTime",
       "s",
-      1800,
+      600,
       1,
       MessageCode.SET_UP_TOO_LONG,
       "time in which one model is read or built"),
+  /** Twice what 50 000 bodies take. */
+  SET_UP_MEMORY(
+      "setUpMemory",
+      "B",
+      2L << 30,
+      1 << 26,
+      MessageCode.OUT_OF_MEMORY,
+      "heap of one process in which models are read and built"),
+  /** Five times as many as the largest that were measured. */
+  MODEL_LOOPS(
+      "modelLoops", "1", 20_000, 0, MessageCode.MODEL_TOO_LARGE, "closed loops of one model"),
   /** Ten of the largest. */
   CLIENT_MODEL_BYTES(
       "clientModelBytes",

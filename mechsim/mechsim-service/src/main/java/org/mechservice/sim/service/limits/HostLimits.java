@@ -32,6 +32,8 @@ public final class HostLimits {
           .with(HostLimit.CLIENT_SESSIONS, UNLIMITED)
           .with(HostLimit.CLIENT_BUILDS, UNLIMITED)
           .with(HostLimit.SET_UP_TIME, UNLIMITED)
+          .with(HostLimit.SET_UP_MEMORY, UNLIMITED)
+          .with(HostLimit.MODEL_LOOPS, UNLIMITED)
           .with(HostLimit.CLIENT_MODEL_BYTES, UNLIMITED)
           .with(HostLimit.CLIENT_SPOOL_BYTES, UNLIMITED)
           .with(HostLimit.SPOOL_BYTES, UNLIMITED)

@@ -126,25 +126,42 @@ public final class SetUpPlaces {
 
   /** Returns the refusal of a set-up that has taken too long. */
   public LimitExceeded tooLong() {
-    long most = limits.now().of(HostLimit.SET_UP_TIME);
+    return tooLong(limits.now());
+  }
+
+  /** Returns the refusal of a set-up that has taken too long. */
+  public static LimitExceeded tooLong(HostLimits limits) {
+    long most = limits.of(HostLimit.SET_UP_TIME);
     return HostLimit.SET_UP_TIME.refusal(
         most,
         most,
         "the model was not set up within the "
             + most
-            + " s that this host gives one; leave out loops that repeat others, or divide the"
+            + " s that this host gives one ("
+            + HostLimit.SET_UP_TIME.label()
+            + "); leave out loops that repeat others, or divide the"
             + " model");
   }
 
   /** Returns the refusal of a set-up for which the memory did not suffice. */
-  public LimitExceeded tooLarge() {
-    long most = Runtime.getRuntime().maxMemory();
-    return HostLimit.MEMORY.refusal(
+  public static LimitExceeded tooLarge() {
+    return tooLarge(HostLimit.MEMORY, Runtime.getRuntime().maxMemory());
+  }
+
+  /**
+   * Returns the refusal of a set-up for which the memory did not suffice.
+   *
+   * @param most memory that it had, B
+   */
+  public static LimitExceeded tooLarge(HostLimit limit, long most) {
+    return limit.refusal(
         most,
         most,
         "the set-up of the model needs more than the "
             + (most >> 20)
-            + " MB of memory that this host has; leave out loops that repeat others, or divide the"
+            + " MB of memory that this host gives it ("
+            + limit.label()
+            + "); leave out loops that repeat others, or divide the"
             + " model");
   }
 

@@ -2,7 +2,7 @@ package org.mechservice.sim.service.run;
 
 import org.mechservice.guard.WorkerBounds;
 import org.mechservice.idl.LimitExceeded;
-import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.model.ModelClasses;
 import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.solver.api.Model;
@@ -43,13 +43,13 @@ public final class RunFactory {
    *
    * @param bounds what a process of its own may use at most
    */
-  public RunTask task(CompiledModel compiled, RunRequest request, WorkerBounds bounds) {
+  public RunTask task(ModelClasses compiled, RunRequest request, WorkerBounds bounds) {
     return compiled.hasUserClasses()
         ? new WorkerTask(compiled, request, bounds)
         : here(compiled, request);
   }
 
-  private LocalTask here(CompiledModel compiled, RunRequest request) {
+  private LocalTask here(ModelClasses compiled, RunRequest request) {
     ModelSource source = compiled.instances();
     Model model = source.model();
     return new LocalTask(

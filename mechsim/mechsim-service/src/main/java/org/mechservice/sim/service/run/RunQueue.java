@@ -18,6 +18,8 @@ import org.mechservice.sim.service.limits.HostLimit;
  * Runs simulations, as many at once as the host's capacity; the others wait. A free place goes to
  * the user who has the fewest, of several to the one who was served least recently, and there to
  * the run that came first: who has a thousand runs delays one who has one by no more than a run.
+ * Runs may take a day, so a user without a run does not wait for a user with several: his first run
+ * begins beside them, as long as there are no more than twice the capacity.
  */
 public final class RunQueue implements AutoCloseable {
   private final int capacity;
@@ -45,7 +47,7 @@ public final class RunQueue implements AutoCloseable {
         new ThreadPoolExecutor(
             0,
             Integer.MAX_VALUE,
-            1,
+            0, // a thread may have lost its priority to a long run
             TimeUnit.SECONDS,
             new SynchronousQueue<>(),
             task -> {
@@ -89,8 +91,11 @@ public final class RunQueue implements AutoCloseable {
 
   /** Gives free places to waiting runs. */
   private void fill() {
-    while (activeRuns() < capacity && !waiting.isEmpty()) {
+    while (!waiting.isEmpty()) {
       String user = next(waiting, active, served).orElseThrow();
+      if (activeRuns() >= capacity && !beginsBeside(user)) {
+        return;
+      }
       Runnable run = taken(user, waiting);
       served.put(user, ++servings);
       active.merge(user, 1, Integer::sum);
@@ -103,6 +108,13 @@ public final class RunQueue implements AutoCloseable {
             }
           });
     }
+  }
+
+  /** Returns whether a run of a user begins although no place is free. */
+  private boolean beginsBeside(String user) {
+    return !active.containsKey(user)
+        && activeRuns() < 2 * capacity
+        && active.values().stream().anyMatch(count -> count > 1);
   }
 
   private synchronized void ended(String user) {

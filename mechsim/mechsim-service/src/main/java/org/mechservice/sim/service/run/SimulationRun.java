@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.guard.LowPriority;
 import org.mechservice.idl.InvalidState;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MAX_WAIT_MILLIS;
@@ -34,6 +36,9 @@ import org.slf4j.LoggerFactory;
  * leaves its rows in a {@link ResultSpool}. Thread-safe.
  */
 public final class SimulationRun implements Runnable {
+  /** After so long, runs of others come first. */
+  private static final long LONG_NANOS = 10_000_000_000L;
+
   /** Receives what happens to a run, in the thread that causes it; must not block. */
   public interface Listener {
     void stateChanged(SimulationRun run, SimState state, String text);
@@ -68,6 +73,10 @@ public final class SimulationRun implements Runnable {
   private final Map<String, String> parameters = new TreeMap<>();
   private volatile @Nullable TimeBudget budget;
   private volatile boolean computing;
+  private volatile long begunAt;
+
+  /** The thread that computes, while its priority is the usual one. */
+  private volatile OptionalLong thread = OptionalLong.empty();
 
   SimulationRun(RunPlan plan, RunQueue queue, RunStore store, Listener listener) {
     this.plan = plan;
@@ -358,12 +367,23 @@ public final class SimulationRun implements Runnable {
     }
   }
 
+  /** Lets runs of others come first if this one has computed for long; called again and again. */
+  public void yieldToOthers() {
+    OptionalLong id = thread;
+    if (computing && id.isPresent() && System.nanoTime() - begunAt > LONG_NANOS) {
+      thread = OptionalLong.empty();
+      LowPriority.lower(id.getAsLong());
+    }
+  }
+
   private RunOutcome computeBegun(RunTask begun) {
     try {
       completion.begun();
     } catch (IOException e) {
       return RunOutcome.CANCELLED.failed(e, control);
     }
+    begunAt = System.nanoTime();
+    thread = LowPriority.idOfThisThread();
     computing = true;
     try {
       return RunOutcome.of(begun.run(output, control));

@@ -6,11 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import org.mechservice.guard.Confinement;
 import org.mechservice.guard.UserCode;
 import org.mechservice.guard.WorkerBounds;
-import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.model.ModelClasses;
 import org.mechservice.sim.worker.WorkerOrder;
 import org.mechservice.sim.worker.WorkerProcess;
 import org.mechservice.sim.worker.WorkerResult;
@@ -34,7 +33,7 @@ import org.slf4j.LoggerFactory;
 final class WorkerTask implements RunTask {
   private static final Logger LOG = LoggerFactory.getLogger(WorkerTask.class);
 
-  private final CompiledModel compiled;
+  private final ModelClasses compiled;
   private final Model described;
   private final List<TunableParameter> parameters;
   private final Map<String, String> values;
@@ -46,7 +45,7 @@ final class WorkerTask implements RunTask {
   /**
    * @param bounds what the process may use at most
    */
-  WorkerTask(CompiledModel compiled, RunRequest request, WorkerBounds bounds) {
+  WorkerTask(ModelClasses compiled, RunRequest request, WorkerBounds bounds) {
     this(
         compiled,
         compiled.describing().parameters(),
@@ -57,7 +56,7 @@ final class WorkerTask implements RunTask {
   }
 
   private WorkerTask(
-      CompiledModel compiled,
+      ModelClasses compiled,
       List<TunableParameter> parameters,
       Map<String, String> values,
       RunRequest request,
@@ -176,9 +175,11 @@ final class WorkerTask implements RunTask {
   }
 
   private WorkerOrder order(RunRequest asked) {
-    var own = new TreeMap<>(compiled.classFiles());
-    own.keySet().removeAll(compiled.userClassFiles().keySet());
     return new WorkerOrder(
-        compiled.generated().className(), own, compiled.userClassFiles(), values, asked);
+        compiled.generated().className(),
+        compiled.files().own(),
+        compiled.files().ofUsers(),
+        values,
+        asked);
   }
 }

@@ -2,7 +2,6 @@ package org.mechservice.sim.service.session;
 
 import java.lang.ref.SoftReference;
 import java.util.Optional;
-import java.util.function.Supplier;
 
 /**
  * Texts that are larger than a message may be, and are fetched in parts.
@@ -19,17 +18,16 @@ final class LongTexts {
   private volatile SoftReference<Kept> last = new SoftReference<>(new Kept("", ""));
 
   /**
-   * Returns a text.
+   * Returns the last long text, if it was made of the same.
    *
-   * @param of what it is made of; the same text belongs to an equal one
-   * @param made makes it
+   * @param of what it is made of
    */
-  String of(Object of, Supplier<String> made) {
-    Optional<Kept> kept = Optional.ofNullable(last.get()).filter(text -> text.of().equals(of));
-    if (kept.isPresent()) {
-      return kept.get().text();
-    }
-    String text = made.get();
+  Optional<String> of(Object of) {
+    return Optional.ofNullable(last.get()).filter(text -> text.of().equals(of)).map(Kept::text);
+  }
+
+  /** Keeps a text if it is long, and returns it. */
+  String keep(Object of, String text) {
     if (text.length() > PART) {
       last = new SoftReference<>(new Kept(of, text));
     }

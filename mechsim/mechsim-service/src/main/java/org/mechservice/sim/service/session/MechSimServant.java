@@ -1,6 +1,6 @@
 package org.mechservice.sim.service.session;
 
-import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,7 +9,6 @@ import java.util.OptionalInt;
 import java.util.function.LongSupplier;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.mechservice.idl.Channel;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
@@ -27,6 +26,7 @@ import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NameValueSeqHolder;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
+import org.mechservice.idl.OPT_TEXT_PART;
 import org.mechservice.idl.Parameter;
 import org.mechservice.idl.RoadmapEntry;
 import org.mechservice.idl.RunSetUp;
@@ -34,35 +34,26 @@ import org.mechservice.idl.RuntimeInfo;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
-import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.SimulationSettings;
-import org.mechservice.mechml.diagnosis.MechmlException;
-import org.mechservice.sim.check.CheckReport;
-import org.mechservice.sim.model.BuildOptions;
-import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
-import org.mechservice.sim.service.library.LoadedModel;
-import org.mechservice.sim.service.library.ModelLibrary;
-import org.mechservice.sim.service.library.ModelWarnings;
+import org.mechservice.sim.service.library.ClassLibrary;
 import org.mechservice.sim.service.library.RequestOptions;
 import org.mechservice.sim.service.library.SetUpTimes;
 import org.mechservice.sim.service.library.SimulationRequest;
 import org.mechservice.sim.service.limits.AdmissionControl;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.run.RunFactory;
+import org.mechservice.sim.service.setup.ModelFiles;
+import org.mechservice.sim.service.setup.ReadingBounds;
+import org.mechservice.sim.service.setup.SetUps;
 import org.mechservice.sim.user.UserFile;
-import org.mechservice.solver.catalogue.SourceLanguage;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /** Servant of one session: reads a model file, creates simulations and makes JARs of it. */
 final class MechSimServant implements MechSimOperations {
-  private static final Logger LOG = LoggerFactory.getLogger(MechSimServant.class);
+  private static final NameValue[] AS_IN_FILE = {};
 
   private final Session session;
-  private final ModelLibrary library;
+  private final SetUps setUps;
   private final AdmissionControl admission;
   private final LongSupplier modelsOfClient;
   private final Runnable destroyed;
@@ -70,27 +61,30 @@ final class MechSimServant implements MechSimOperations {
   private final RunCreation creation;
   private final SignedJars jars;
   private final LongTexts longTexts = new LongTexts();
-  private volatile Optional<LoadedModel> loaded = Optional.empty();
+  private volatile Optional<ModelFiles> loaded = Optional.empty();
 
   /**
+   * @param setUps read and build the models
+   * @param classes has the classes of models that were built
    * @param admission decides whether one more simulation is allowed
    * @param modelsOfClient returns the size of the models in all sessions of the client, B
    * @param destroyed called when the client ends the session
    */
   MechSimServant(
       Session session,
-      ModelLibrary library,
+      SetUps setUps,
+      ClassLibrary classes,
       RunFactory runs,
       AdmissionControl admission,
       LongSupplier modelsOfClient,
       Runnable destroyed) {
     this.admission = admission;
     this.session = session;
-    this.library = library;
+    this.setUps = setUps;
     this.modelsOfClient = modelsOfClient;
     this.destroyed = destroyed;
-    creation = new RunCreation(session, library, runs, times);
-    jars = new SignedJars(session, library, times);
+    creation = new RunCreation(session, classes, runs, times);
+    jars = new SignedJars(session);
   }
 
   @Override
@@ -109,21 +103,17 @@ final class MechSimServant implements MechSimOperations {
     long bytes = requireAllowedSize(mechml, userFiles);
     admission.requireModelRoom(modelsOfClient.getAsLong() - session.modelBytes(), bytes);
     session.holdsModel(bytes);
-    long start = System.nanoTime();
-    try {
-      LoadedModel read =
-          LoadedModel.read(
-              mechml.fileName,
-              mechml.content,
-              Stream.of(userFiles).map(file -> new UserFile(file.fileName, file.content)).toList(),
-              session.host().userCode().compiles());
-      times.addTreating(System.nanoTime() - start);
-      loaded = Optional.of(read);
-      generateAhead(read);
-      return ContractTypes.diagnostics(read.warnings());
-    } catch (MechmlException e) {
-      throw ContractErrors.model(e.diagnostics());
-    }
+    ModelFiles files =
+        new ModelFiles(
+            mechml.fileName,
+            mechml.content,
+            Stream.of(userFiles).map(file -> new UserFile(file.fileName, file.content)).toList(),
+            session.host().userCode().compiles(),
+            new ReadingBounds(session.limits().bound(HostLimit.MODEL_LOOPS)));
+    SetUps.Loaded read = setUps.load(files);
+    times.add(read.spent());
+    loaded = Optional.of(files);
+    return read.warnings();
   }
 
   /** Returns the size of a model with its files, B. */
@@ -140,147 +130,105 @@ final class MechSimServant implements MechSimOperations {
     return bytes;
   }
 
-  /** Generates the model with the settings of its file; a later request reports errors. */
-  private void generateAhead(LoadedModel read) {
-    SimulationSettings settings = read.model().settings();
-    try {
-      BuildOptions asInFile = SimulationRequest.asInFile(read.model()).forRun(settings);
-      library.generated(read, asInFile, times);
-    } catch (InvalidOption | IllegalArgumentException e) {
-      LOG.debug("the model cannot be run as its file says", e);
-    }
-  }
-
-  private LoadedModel requireModel() throws InvalidState {
+  private ModelFiles requireModel() throws InvalidState {
     return loaded.orElseThrow(
         () ->
             ContractErrors.state(SimState.SIM_CREATED, "no model is loaded; call loadModel first"));
   }
 
-  /**
-   * A parsed request, with the model read as it wants it.
-   *
-   * @param sourcePart index of the source file wanted
-   * @param language its language
-   */
-  private record Parsed(
-      LoadedModel model, SimulationRequest request, int sourcePart, SourceLanguage language) {}
-
-  private Parsed parsed(NameValue[] options) throws InvalidState, InvalidOption, InvalidModel {
-    LoadedModel present = requireModel();
-    RequestOptions given = RequestOptions.of(options);
-    try {
-      LoadedModel model = present.with(given.reading());
-      return new Parsed(
-          model,
-          SimulationRequest.of(given, model.model()),
-          SimulationRequest.sourcePart(given),
-          SimulationRequest.sourceLanguage(given));
-    } catch (MechmlException e) {
-      throw ContractErrors.model(e.diagnostics());
-    }
+  /** A question about a model that was read before. */
+  @FunctionalInterface
+  private interface Question<T> {
+    T of(ModelFiles files) throws InvalidModel, LimitExceeded;
   }
 
-  /** Returns a parsed request; refuses a strict one if there are warnings before its run. */
-  private Parsed parsedToBuild(NameValue[] options)
-      throws InvalidState, InvalidOption, InvalidModel {
-    Parsed parsed = parsed(options);
-    SimulationRequest asked = parsed.request();
-    if (asked.strict()) {
-      ContractErrors.requireNoWarnings(
-          RunForecast.warnings(
-              parsed.model().model(), asked.formulation(), asked.closure(), asked.settings()));
+  private <T> T known(Question<T> question) throws InvalidState {
+    ModelFiles model = requireModel();
+    try {
+      return question.of(model);
+    } catch (InvalidModel e) {
+      throw new IllegalStateException("the model could be read before", e);
+    } catch (LimitExceeded e) {
+      throw ContractErrors.undeclared(e);
     }
-    return parsed;
   }
 
   @Override
   public ModelInfo getModelInfo() throws InvalidState {
-    return requireModel().info();
+    return known(setUps::info);
   }
 
   @Override
   public Parameter[] parameters() throws InvalidState {
-    return parametersOf(requireModel().model());
-  }
-
-  private static Parameter[] parametersOf(MechmlModel model) {
-    return model.parameters().stream()
-        .map(p -> new Parameter(p.name(), p.unit(), p.value(), p.tunable()))
-        .toArray(Parameter[]::new);
+    return known(setUps::parameters);
   }
 
   @Override
   public RoadmapEntry[] roadmap() throws InvalidState {
-    return requireModel().roadmap();
+    return known(setUps::roadmap);
   }
 
   @Override
   public String checkReport(boolean asJson) throws InvalidState {
-    MechmlModel model = requireModel().model();
-    return longTexts.of(List.of(model, asJson), () -> text(CheckReport.of(model), asJson));
+    try {
+      return report(AS_IN_FILE, asJson);
+    } catch (InvalidModel | InvalidOption e) {
+      throw new IllegalStateException("the model could be read before", e);
+    }
   }
 
-  private static String text(CheckReport report, boolean asJson) {
-    return asJson ? report.json() : report.text();
+  private String report(NameValue[] options, boolean asJson)
+      throws InvalidModel, InvalidOption, InvalidState {
+    ModelFiles model = requireModel();
+    List<String> of = new ArrayList<>(List.of(model.sha256(), Boolean.toString(asJson)));
+    for (NameValue option : options) {
+      of.add(option.key + "=" + option.text);
+    }
+    Optional<String> kept = longTexts.of(of);
+    if (kept.isPresent()) {
+      return kept.get();
+    }
+    try {
+      return longTexts.keep(of, setUps.checkReport(model, options, asJson));
+    } catch (LimitExceeded e) {
+      throw ContractErrors.undeclared(e);
+    }
   }
 
   @Override
   public ModelReading readWith(NameValue[] options)
       throws InvalidModel, InvalidOption, InvalidState {
-    MechmlModel model = parsed(options).model().model();
-    return new ModelReading(
-        parametersOf(model),
-        model.simulations().stream().map(SimulationSettings::name).toArray(String[]::new),
-        model.outputs().stream().map(o -> new Channel(o.name(), o.unit())).toArray(Channel[]::new));
+    try {
+      return setUps.reading(requireModel(), options);
+    } catch (LimitExceeded e) {
+      throw ContractErrors.undeclared(e);
+    }
   }
 
   @Override
   public String checkReportWith(NameValue[] options, boolean asJson)
       throws InvalidModel, InvalidOption, InvalidState {
-    Parsed parsed = parsed(options);
-    MechmlModel model = parsed.model().model();
-    SimulationRequest asked = parsed.request();
     OptionalInt part = SimulationRequest.textPart(RequestOptions.of(options));
-    String text =
-        longTexts.of(
-            List.of(model, asJson, asked.formulation(), asked.closure(), asked.settings()),
-            () ->
-                text(
-                    CheckReport.of(model, asked.formulation(), asked.closure(), asked.settings()),
-                    asJson));
+    NameValue[] others =
+        Stream.of(options)
+            .filter(option -> !option.key.equals(OPT_TEXT_PART.value))
+            .toArray(NameValue[]::new);
+    String text = report(others, asJson);
     return part.isEmpty() ? text : LongTexts.part(text, part.getAsInt());
   }
 
   @Override
   public ModelFile generatedSource(NameValue[] options)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    Parsed parsed = parsed(options);
-    List<ModelFile> sources = sources(parsed);
-    return parsed.sourcePart() < sources.size()
-        ? sources.get(parsed.sourcePart())
-        : new ModelFile("", new byte[0]);
-  }
-
-  private List<ModelFile> sources(Parsed parsed)
-      throws InvalidModel, InvalidOption, NotAvailable, ServerFailure {
-    LoadedModel model = parsed.model();
-    BuildOptions options = parsed.request().forJar();
-    if (parsed.language() == SourceLanguage.C) {
-      return ContractErrors.build(() -> ModelFactory.inC(model.model(), options))
-          .files()
-          .entrySet()
-          .stream()
-          .map(file -> file(file.getKey(), file.getValue()))
-          .toList();
+    ModelFiles model = requireModel();
+    int part = SimulationRequest.sourcePart(RequestOptions.of(options));
+    try {
+      SetUps.Sources sources = setUps.sources(model, options);
+      times.add(sources.spent());
+      return part < sources.files().length ? sources.files()[part] : new ModelFile("", new byte[0]);
+    } catch (LimitExceeded e) {
+      throw ContractErrors.undeclared(e);
     }
-    return ContractErrors.build(() -> library.generated(model, options, times)).sources().stream()
-        .map(source -> file(source.className().replace('.', '/') + ".java", source.text()))
-        .toList();
-  }
-
-  private static ModelFile file(String name, String text) {
-    return new ModelFile(name, text.getBytes(StandardCharsets.UTF_8));
   }
 
   @Override
@@ -320,28 +268,35 @@ final class MechSimServant implements MechSimOperations {
   private RunCreation.Created created(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
     admission.requirePlace(session.owner(), session.simulationCount());
-    Parsed parsed = parsedToBuild(options);
-    return creation.create(parsed.model(), parsed.request(), client);
+    ModelFiles model = requireModel();
+    SetUps.Built built = setUps.build(model, options);
+    times.add(built.spent());
+    return creation.create(model, built, client);
   }
 
   @Override
   public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    Parsed parsed = parsedToBuild(options);
-    return jars.ofModel(parsed.model(), parsed.request(), info);
+    return jars.ofModel(packed(options), info);
+  }
+
+  private SetUps.Packed packed(NameValue[] options)
+      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
+    try {
+      SetUps.Packed packed = setUps.pack(requireModel(), options);
+      times.add(packed.spent());
+      return packed;
+    } catch (LimitExceeded e) {
+      throw ContractErrors.undeclared(e);
+    }
   }
 
   @Override
   public byte[] prepareJar(NameValue[] options, JarInfoHolder info, NameValueSeqHolder facts)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    Parsed parsed = parsedToBuild(options);
-    LoadedModel source = parsed.model();
-    SimulationRequest asked = parsed.request();
-    byte[] jar = jars.ofModel(source, asked, info);
-    facts.value =
-        facts(
-            "",
-            ModelWarnings.ofSetUp(source, asked.formulation(), asked.closure(), asked.settings()));
+    SetUps.Packed packed = packed(options);
+    byte[] jar = jars.ofModel(packed, info);
+    facts.value = facts("", packed.warnings());
     return jar;
   }
 

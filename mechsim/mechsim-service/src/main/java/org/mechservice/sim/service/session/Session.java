@@ -157,6 +157,11 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
     }
   }
 
+  /** Returns whether one of its simulations has not ended. */
+  boolean hasActiveRun() {
+    return runs().stream().anyMatch(run -> !run.ended());
+  }
+
   /** Returns the number of simulations. */
   synchronized int simulationCount() {
     return simulations.size();

@@ -11,6 +11,7 @@ import java.util.concurrent.CompletionException;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MechSimOperations;
+import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.limits.SetUpPlaces;
 import org.omg.CORBA.IMP_LIMIT;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
@@ -27,6 +28,9 @@ final class SessionCalls implements InvocationHandler {
   private static final Set<String> SET_UPS =
       Set.of(
           "loadModel",
+          "getModelInfo",
+          "parameters",
+          "roadmap",
           "checkReport",
           "checkReportWith",
           "readWith",
@@ -100,7 +104,7 @@ final class SessionCalls implements InvocationHandler {
       if (late) {
         throw asDeclared(operation, places.tooLong());
       } else if (isOutOfMemory(e.getCause())) {
-        throw asDeclared(operation, places.tooLarge());
+        throw asDeclared(operation, SetUpPlaces.tooLarge());
       }
       throw e;
     } finally {
@@ -121,7 +125,7 @@ final class SessionCalls implements InvocationHandler {
     if (Set.of(operation.getExceptionTypes()).contains(LimitExceeded.class)) {
       throw refusal;
     }
-    return new IMP_LIMIT(refusal.code + " " + refusal.text);
+    return ContractErrors.undeclared(refusal);
   }
 
   private synchronized void begin() {

@@ -43,7 +43,7 @@ import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.contract.DenialLog;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
-import org.mechservice.sim.service.library.ModelLibrary;
+import org.mechservice.sim.service.library.ClassLibrary;
 import org.mechservice.sim.service.limits.AdmissionControl;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimit;
@@ -55,6 +55,7 @@ import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunQueue;
 import org.mechservice.sim.service.run.SimulationRun;
+import org.mechservice.sim.service.setup.SetUpWorkers;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -80,7 +81,8 @@ public final class SessionTable implements AutoCloseable {
   private final HostServices host;
   private final RunQueue queue;
   private final RunFactory runs;
-  private final ModelLibrary library = new ModelLibrary();
+  private final ClassLibrary classes = new ClassLibrary();
+  private final SetUpWorkers setUps;
   private final ExecutorService callbacks;
   private final ScheduledExecutorService clock =
       Executors.newSingleThreadScheduledExecutor(named("clock"));
@@ -121,6 +123,7 @@ public final class SessionTable implements AutoCloseable {
     runs = new RunFactory(solver, queue, store);
     admission = new AdmissionControl(limits, this::runsOf);
     places = new SetUpPlaces(limits);
+    setUps = new SetUpWorkers(limits, classes);
     var unused =
         clock.scheduleWithFixedDelay(this::tick, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
     if (store.lasts()) {
@@ -131,6 +134,11 @@ public final class SessionTable implements AutoCloseable {
     unused =
         clock.scheduleWithFixedDelay(
             () -> store.expire(this::isReopened), EXPIRY_SECONDS, EXPIRY_SECONDS, TimeUnit.SECONDS);
+  }
+
+  /** Returns what reads and builds the models of the sessions. */
+  public SetUpWorkers setUps() {
+    return setUps;
   }
 
   /** Writes rows in the disk thread, unless the previous write has not ended. */
@@ -185,7 +193,8 @@ public final class SessionTable implements AutoCloseable {
       MechSimServant servant =
           new MechSimServant(
               session,
-              library,
+              setUps.setUps(),
+              classes,
               runs,
               admission,
               () -> modelBytesOf(session.owner()),
@@ -349,8 +358,15 @@ public final class SessionTable implements AutoCloseable {
 
   private SimDetail detail(RunRecord run, long until, List<SimEvent> events) {
     RunIdentity identity = run.identity();
-    return run.detail(
-        until, library.checkReport(identity.fileName(), identity.modelText()), events);
+    return run.detail(until, checkReport(identity), events);
+  }
+
+  private String checkReport(RunIdentity identity) {
+    try {
+      return setUps.setUps().reportOf(identity.fileName(), identity.modelText());
+    } catch (LimitExceeded e) {
+      return ""; // of a model for which the limits have become too small
+    }
   }
 
   /**
@@ -444,6 +460,14 @@ public final class SessionTable implements AutoCloseable {
       HostLimits limits = host.limits().now();
       host.orb().allowConnections(limits.connectionsAtAll());
       places.interruptLate();
+      if (allSessions().stream()
+              .filter(Session::hasActiveRun)
+              .map(Session::owner)
+              .distinct()
+              .count()
+          > 1) {
+        allRuns().forEach(SimulationRun::yieldToOthers);
+      }
       for (Session session : allSessions()) {
         if (session.leaseLeftMillis() < 0) {
           expire(session, "was not renewed and has ended");
@@ -472,7 +496,7 @@ public final class SessionTable implements AutoCloseable {
     clock.shutdownNow();
     allSessions().forEach(session -> expire(session, "has ended with its host"));
     queue.close();
-    library.close();
+    setUps.close();
     host.journal().close();
     try {
       queue.awaitEnd(CLOSING_MILLIS);

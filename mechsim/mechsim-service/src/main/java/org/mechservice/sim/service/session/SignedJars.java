@@ -1,24 +1,17 @@
 package org.mechservice.sim.service.session;
 
-import org.mechservice.idl.InvalidModel;
-import org.mechservice.idl.InvalidOption;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.mechservice.guard.SolverClasses;
 import org.mechservice.idl.JarInfo;
 import org.mechservice.idl.JarInfoHolder;
-import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.RuntimeInfo;
-import org.mechservice.idl.ServerFailure;
-import org.mechservice.sim.model.BuildOptions;
-import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.packaging.JarImage;
-import org.mechservice.sim.packaging.ModelJars;
 import org.mechservice.sim.packaging.RuntimeJar;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
-import org.mechservice.sim.service.library.LoadedModel;
-import org.mechservice.sim.service.library.ModelLibrary;
-import org.mechservice.sim.service.library.SetUpTimes;
-import org.mechservice.sim.service.library.SimulationRequest;
+import org.mechservice.sim.service.setup.SetUps;
 import org.mechservice.solver.simulation.SolverVersion;
 
 /**
@@ -26,36 +19,24 @@ import org.mechservice.solver.simulation.SolverVersion;
  * Each comes with its SHA-256 and, over TLS, with a signature by the server's key.
  */
 final class SignedJars {
-  private final Session session;
-  private final ModelLibrary library;
-  private final SetUpTimes times;
+  /** Read once per process, when first needed. */
+  private static final class OwnSolver {
+    private static final String FINGERPRINT = SolverClasses.fingerprint();
+  }
 
-  /**
-   * @param times of the session; compiling and packing add to them
-   */
-  SignedJars(Session session, ModelLibrary library, SetUpTimes times) {
+  private final Session session;
+
+  SignedJars(Session session) {
     this.session = session;
-    this.library = library;
-    this.times = times;
   }
 
   /**
    * Returns the JAR of a model.
    *
-   * @param source the model as the request reads it
    * @param info receives what the JAR is
    */
-  byte[] ofModel(LoadedModel source, SimulationRequest asked, JarInfoHolder info)
-      throws InvalidModel, InvalidOption, NotAvailable, ServerFailure {
-    BuildOptions build = asked.forJar();
-    CompiledModel compiled = ContractErrors.build(() -> library.compiled(source, build, times));
-    long start = System.nanoTime();
-    JarImage jar =
-        asked.standalone()
-            ? ModelJars.standalone(compiled, source.sha256())
-            : ModelJars.model(compiled, source.sha256());
-    String runtime = asked.standalone() ? "" : RuntimeJar.sha256();
-    times.addPacking(System.nanoTime() - start);
+  byte[] ofModel(SetUps.Packed packed, JarInfoHolder info) {
+    JarImage jar = packed.jar();
     info.value =
         new JarInfo(
             jar.fileName(),
@@ -64,9 +45,16 @@ final class SignedJars {
             jar.bytes().length,
             jar.modelBytes(),
             signature(jar),
-            runtime,
-            ContractTypes.nameValues(jar.manifest()));
+            packed.runtime(),
+            ContractTypes.nameValues(described(jar.manifest())));
     return jar.bytes();
+  }
+
+  /** Returns the description of a JAR with what identifies this process's solver. */
+  private static Map<String, String> described(Map<String, String> manifest) {
+    Map<String, String> all = new LinkedHashMap<>(manifest);
+    all.put("Mech-Solver-Fingerprint", OwnSolver.FINGERPRINT);
+    return all;
   }
 
   /** Returns what the JAR of the solver is, which runs the JARs of models. */

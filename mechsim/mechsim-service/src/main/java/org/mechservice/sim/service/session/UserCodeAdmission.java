@@ -1,12 +1,13 @@
 package org.mechservice.sim.service.session;
 
+import java.util.SortedMap;
 import org.mechservice.guard.Confinement;
 import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.InvalidModel;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.sim.service.contract.ContractErrors;
-import org.mechservice.sim.service.library.LoadedModel;
+import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -26,11 +27,12 @@ final class UserCodeAdmission {
   /**
    * Refuses a model whose classes the host does not run.
    *
-   * @param source has classes of users
+   * @param classFiles of users, by binary name; not modified
    * @throws NotAvailable S-120 if the operator does not allow it, S-168 without confinement
    * @throws InvalidModel if a class calls what the allow-list does not know
    */
-  static void require(HostServices host, LoadedModel source) throws NotAvailable, InvalidModel {
+  static void require(HostServices host, SortedMap<String, byte[]> classFiles)
+      throws NotAvailable, InvalidModel {
     UserCodePolicy policy = host.userCode();
     if (policy == UserCodePolicy.REFUSED) {
       throw new NotAvailable(
@@ -50,7 +52,7 @@ final class UserCodeAdmission {
     }
     try {
       if (verifies) {
-        source.userClasses().requireHarmless();
+        UserClasses.requireHarmless(classFiles);
       }
     } catch (MechmlException e) {
       throw ContractErrors.model(e.diagnostics());

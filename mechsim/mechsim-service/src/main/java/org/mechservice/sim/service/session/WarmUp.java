@@ -30,6 +30,7 @@ import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.service.contract.DenialLog;
 import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.sim.service.library.ClassLibrary;
 import org.mechservice.sim.service.library.LoadedModel;
 import org.mechservice.sim.service.library.ModelLibrary;
 import org.mechservice.sim.service.library.SetUpTimes;
@@ -41,6 +42,9 @@ import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunQueue;
+import org.mechservice.sim.service.setup.ModelFiles;
+import org.mechservice.sim.service.setup.ReadingBounds;
+import org.mechservice.sim.service.setup.SetUpWorkers;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
@@ -69,15 +73,18 @@ public final class WarmUp implements AutoCloseable {
 
   private final ServiceOrb orb;
   private final Solver solver;
+  private final SetUpWorkers setUps;
   private volatile boolean closed;
 
   /**
    * @param orb of the host
    * @param solver of the host
+   * @param setUps of the host
    */
-  public WarmUp(ServiceOrb orb, Solver solver) {
+  public WarmUp(ServiceOrb orb, Solver solver, SetUpWorkers setUps) {
     this.orb = orb;
     this.solver = solver;
+    this.setUps = setUps;
   }
 
   /** Begins in a thread of its own; clients are served meanwhile. */
@@ -104,10 +111,10 @@ public final class WarmUp implements AutoCloseable {
   /** Runs the whole warm-up; returns the final state of its run. */
   SimState run() throws UserException, IOException, InterruptedException {
     CurrentLimits limits = new CurrentLimits(HostLimits.DEFAULT.with(HostLimit.FREE_DISK, 0));
+    setUps.prepare(new ModelFiles(MODEL, content(), List.of(), false, ReadingBounds.NONE));
     IMechClient client = orb.export(new SilentClient());
     try (RunQueue queue = new RunQueue(1, limits);
-        RunStore store = new RunStore(Optional.empty(), limits);
-        ModelLibrary library = new ModelLibrary()) {
+        RunStore store = new RunStore(Optional.empty(), limits)) {
       Journal journal = Journal.unlogged();
       HostServices host =
           new HostServices(
@@ -126,7 +133,14 @@ public final class WarmUp implements AutoCloseable {
         return cancelled(
             opened(
                 session,
-                new MechSimServant(session, library, runs, admission, () -> 0, session::end)));
+                new MechSimServant(
+                    session,
+                    setUps.setUps(),
+                    new ClassLibrary(),
+                    runs,
+                    admission,
+                    () -> 0,
+                    session::end)));
       } finally {
         session.end();
       }

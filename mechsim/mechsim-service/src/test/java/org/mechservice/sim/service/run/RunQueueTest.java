@@ -84,10 +84,27 @@ class RunQueueTest {
     }
     awaitBegun(3);
     submit("bob", "bob");
-    submit("bob", "bob");
-    mayEnd.release();
     awaitBegun(1);
-    assertThat(begun).containsExactly("ann", "ann", "ann", "bob");
+    submit("bob", "bob again");
+    mayEnd.release(2);
+    awaitBegun(1);
+    assertThat(begun.subList(0, 4)).containsExactly("ann", "ann", "ann", "bob");
+  }
+
+  /** The runs of ann may take a day each. */
+  @Test
+  void userWithoutARunDoesNotWaitForAUserWithSeveral() throws Exception {
+    queue = new RunQueue(2, limits);
+    for (int i = 0; i < 10; i++) {
+      submit("ann", "ann");
+    }
+    awaitBegun(2);
+    submit("bob", "bob");
+    submit("eve", "eve");
+    Runnable third = submit("dan", "dan");
+    awaitBegun(2);
+    assertThat(begun).containsExactly("ann", "ann", "bob", "eve");
+    assertThat(queue.positionOf(third)).isEqualTo(1);
   }
 
   @Test

@@ -5,12 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Long texts in parts: nothing is lost or split, and a text is made once for all of its parts. */
+/** Long texts in parts: nothing is lost or split, and a text is kept for all of its parts. */
 class LongTextsTest {
-  private int made;
-
-  private String longText() {
-    made++;
+  private static String longText() {
     return "a".repeat(LongTexts.PART - 1) + "\uD83D\uDE00" + "b".repeat(LongTexts.PART);
   }
 
@@ -32,12 +29,13 @@ class LongTextsTest {
   }
 
   @Test
-  void longTextIsMadeOnceAndTheTextOfAnotherModelAnew() {
+  void longTextIsKeptForItsPartsAndNotForAnotherModel() {
     LongTexts texts = new LongTexts();
-    String first = texts.of(List.of("model", true), this::longText);
-    assertThat(texts.of(List.of("model", true), this::longText)).isSameAs(first);
-    assertThat(made).isEqualTo(1);
-    texts.of(List.of("model", false), this::longText);
-    assertThat(made).isEqualTo(2);
+    String first = texts.keep(List.of("model", true), longText());
+    assertThat(texts.of(List.of("model", true))).containsSame(first);
+    assertThat(texts.of(List.of("model", false))).isEmpty();
+    texts.keep(List.of("model", false), "short");
+    assertThat(texts.of(List.of("model", true))).containsSame(first);
+    assertThat(texts.of(List.of("model", false))).isEmpty();
   }
 }

@@ -4,6 +4,10 @@ import org.mechservice.orb.ListenAddress;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
+import org.mechservice.sim.service.library.ClassLibrary;
+import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.service.setup.SetUpWorkers;
 import org.mechservice.solver.api.Solver;
 
 /** A host in a process of its own: made ready, prints the reference of a session, then waits. */
@@ -15,7 +19,9 @@ final class WarmHostMain {
     Solver solver = SimHost.installedSolver();
     try (ServiceOrb orb = ServiceOrb.host(new ListenAddress("127.0.0.1", 0));
         SimHost host = new SimHost(orb, new HostOptions("warm", 1), solver, () -> {});
-        WarmUp warmUp = new WarmUp(orb, solver)) {
+        SetUpWorkers setUps =
+            new SetUpWorkers(new CurrentLimits(HostLimits.OWN), new ClassLibrary());
+        WarmUp warmUp = new WarmUp(orb, solver, setUps)) {
       warmUp.run();
       System.out.println(orb.toIor(host.createSession("first", null)));
       System.in.read();

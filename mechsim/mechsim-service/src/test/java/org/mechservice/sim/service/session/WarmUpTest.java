@@ -13,7 +13,10 @@ import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.SimState;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
+import org.mechservice.sim.service.library.ClassLibrary;
+import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.service.setup.SetUpWorkers;
 import org.mechservice.solver.api.Solver;
 
 /** A host that makes itself ready does what clients do, and nobody can tell afterwards. */
@@ -24,7 +27,9 @@ class WarmUpTest {
   void runThatWarmsAHostUpIsCancelledInMidCourse() throws Exception {
     Solver solver = SimHost.installedSolver();
     try (HostedClient there = HostedClient.with(solver);
-        WarmUp warmUp = new WarmUp(there.hostOrb, solver)) {
+        SetUpWorkers setUps =
+            new SetUpWorkers(new CurrentLimits(HostLimits.DEFAULT), new ClassLibrary());
+        WarmUp warmUp = new WarmUp(there.hostOrb, solver, setUps)) {
       assertThat(warmUp.run()).isEqualTo(SimState.SIM_CANCELLED);
     }
   }
@@ -36,7 +41,9 @@ class WarmUpTest {
     Solver solver = SimHost.installedSolver();
     HostOptions options = new HostOptions("here", 1, HostLimits.DEFAULT, Optional.of(folder));
     try (HostedClient there = new HostedClient(solver, options);
-        WarmUp warmUp = new WarmUp(there.hostOrb, solver)) {
+        SetUpWorkers setUps =
+            new SetUpWorkers(new CurrentLimits(HostLimits.DEFAULT), new ClassLibrary());
+        WarmUp warmUp = new WarmUp(there.hostOrb, solver, setUps)) {
       String before = traces(there);
       warmUp.run();
       assertThat(traces(there)).isEqualTo(before);

@@ -1,4 +1,4 @@
-package org.mechservice.sim.compile;
+package org.mechservice.guard;
 
 import java.io.IOException;
 import java.io.InputStream;
