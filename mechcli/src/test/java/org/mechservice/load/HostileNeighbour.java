@@ -44,6 +44,8 @@ final class HostileNeighbour {
   }
 
   /**
+   * Does everything that harms until it is killed.
+   *
    * @param arguments address of the server, folder of the client's keys
    */
   @SuppressWarnings("SystemOut") // how the test learns how much it did
@@ -212,7 +214,7 @@ final class HostileNeighbour {
     int port = Integer.parseInt(address.replaceAll(".*:(\\d+)(/.*)?$", "$1"));
     byte[] bytes = new byte[200];
     try (Socket socket =
-        new TlsKeys(keys.getParent())
+        new TlsKeys(keys.resolveSibling("."))
             .context(keys.getFileName().toString(), true)
             .getSocketFactory()
             .createSocket("127.0.0.1", port)) {
