@@ -25,6 +25,7 @@ class VersionsTest {
       try (MechConnection connection =
               MechConnection.open(server.address(), new JarCache(cacheFolder));
           MechSession session = connection.openSession()) {
+        connection.acceptSolversOf(server.key.getPublic());
         session.loadModel("square.xml", new byte[] {'<'});
         Rows remote = new Rows();
         RunResult result = session.prepareRemoteRun(SimulationOptions.asInFile()).toEnd(remote);
