@@ -93,8 +93,12 @@ class LeaseTest {
     }
   }
 
-  /** Threads that Java keeps for a while: the second waited for processes that have ended. */
-  private static final Set<String> OF_JAVA = Set.of("Common-Cleaner", "process reaper");
+  /** A thread that Java keeps for a while; its name has the process for which it waits. */
+  private static final String REAPER = "process reaper";
+
+  private static boolean isOfJava(Thread thread) {
+    return thread.getName().equals("Common-Cleaner") || thread.getName().startsWith(REAPER);
+  }
 
   @Test
   void nothingIsLeftOfAClosedHost() throws Exception {
@@ -107,11 +111,16 @@ class LeaseTest {
       }
     }
     for (Thread thread : Thread.getAllStackTraces().keySet()) {
-      if (!before.contains(thread) && !OF_JAVA.contains(thread.getName())) {
+      if (!before.contains(thread) && !isOfJava(thread)) {
         thread.join(10_000);
         assertThat(thread.isAlive()).as(thread.getName()).isFalse();
       }
     }
+    Eventually.holds(
+        () ->
+            Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> !before.contains(thread))
+                .noneMatch(thread -> thread.getName().startsWith(REAPER + " (pid")));
     // Another process may just be making one of its own, which has its name for a moment only.
     Eventually.holds(() -> rowFiles() == 0);
   }
