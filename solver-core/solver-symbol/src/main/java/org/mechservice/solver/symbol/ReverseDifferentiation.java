@@ -20,8 +20,11 @@ public final class ReverseDifferentiation {
   /** Derivative of the sum by each node, as far as the sweep has come. */
   private final Map<Scalar, Scalar> slopes;
 
-  /** Nodes that may not be chosen, with all below them: a slope 0 must stay 0 there. */
-  private final Set<Scalar> choosable = new HashSet<>();
+  /**
+   * Nodes below one that may not be chosen, or whose slope may be infinite: a slope or factor 0
+   * must stay 0 there.
+   */
+  private final Set<Scalar> guardedNodes = new HashSet<>();
 
   /**
    * Records the derivatives of Σ weight · value.
@@ -55,9 +58,9 @@ public final class ReverseDifferentiation {
   }
 
   private void passOn(Scalar node, Scalar slope) {
-    boolean guarded = node.isSteep() || choosable.contains(node);
-    if (choosable.contains(node)) {
-      choosable.addAll(node.operands());
+    boolean guarded = node.isSteep() || guardedNodes.contains(node);
+    if (node.isMarkedSteep() || guardedNodes.contains(node)) {
+      guardedNodes.addAll(node.operands());
     }
     switch (node.operation()) {
       case CONSTANT, INPUT -> {}
@@ -118,8 +121,8 @@ public final class ReverseDifferentiation {
   /** The operand that is not chosen gets 0, even if the slope is NaN, and so does all below it. */
   private void choice(List<Scalar> x, Scalar slope) {
     Scalar zero = expressions.zero();
-    choosable.add(x.get(2));
-    choosable.add(x.get(3));
+    guardedNodes.add(x.get(2));
+    guardedNodes.add(x.get(3));
     add(x.get(2), expressions.function(MathFunction.CHOOSE, x.get(0), x.get(1), slope, zero));
     add(x.get(3), expressions.function(MathFunction.CHOOSE, x.get(0), x.get(1), zero, slope));
   }
