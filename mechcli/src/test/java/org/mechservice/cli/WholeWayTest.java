@@ -158,8 +158,8 @@ class WholeWayTest {
     Files.writeString(
         robot,
         """
-        <mujoco><worldbody><body name="a"><joint name="j" axis="0 1 0" armature="0.5"/>
-          <geom size="0.1" pos="0.3 0 0"/></body></worldbody><sensor><jointpos joint="j"/></sensor>
+        <mujoco><worldbody><body name="a"><joint name="j" type="ball" frictionloss="0.5"/>
+          <geom size="0.1" pos="0.3 0 0"/></body></worldbody><sensor><ballquat joint="j"/></sensor>
         </mujoco>
         """);
     String file = robot.toString();
@@ -169,7 +169,8 @@ class WholeWayTest {
             file
                 + ": left out: 1 changes the motion, 1 changes contacts or motors only, 1 is picture"
                 + " or metadata (--losses all lists them)",
-            "arm.mjcf:1:35: M-085 body \"a\": joint \"j\": armature \"0.5\" is left out")
+            "arm.mjcf:1:35: M-085 body \"a\": joint \"j\": frictionloss of a ball joint is left"
+                + " out")
         .doesNotContain("M-088", "M-089");
     err.getBuffer().setLength(0);
     assertThat(mech("import", file, "--losses", "all", "-o", file("arm.xml"))).isEqualTo(4);
@@ -181,7 +182,7 @@ class WholeWayTest {
     assertThat(JsonParser.parseString(out.toString()).getAsJsonArray())
         .extracting(one -> one.getAsJsonObject().get("grade").getAsString())
         .containsExactly("motion", "contact", "picture");
-    Files.writeString(robot, Files.readString(robot).replace("armature=\"0.5\"", ""));
+    Files.writeString(robot, Files.readString(robot).replace("frictionloss=\"0.5\"", ""));
     assertThat(mech("import", "--strict=motion", file, "-o", file("arm.xml"))).isZero();
     assertThat(mech("import", "--strict", file, "-o", file("arm.xml"))).isEqualTo(2);
   }
