@@ -112,44 +112,4 @@ class WaitingClientsIT {
       run.awaitEnd().orFail();
     }
   }
-
-  @Test
-  void interruptedRunLeavesItsCheckpoint() throws Exception {
-    Terminal terminal = new Terminal(folder);
-    for (String mode : new String[] {"remote", "local"}) {
-      Path checkpoint = folder.resolve(mode + ".checkpoint");
-      try (Terminal.Running run =
-          terminal.startMech(
-              "simulate",
-              WorkingTree.PENDULUM.toString(),
-              "--mode",
-              mode,
-              "--t-end",
-              "1e6",
-              "--t-step",
-              "100",
-              "--out",
-              mode + ".csv",
-              "--checkpoint",
-              checkpoint.toString(),
-              "--every",
-              "1000")) {
-        run.awaitThat("rows", () -> hasRows(folder.resolve(mode + ".csv")));
-        run.terminate();
-        Terminal.Ended ended = run.awaitEnd();
-        assertThat(ended.exitStatus()).as(ended.toString()).isNotZero();
-        assertThat(checkpoint).isNotEmptyFile();
-      }
-    }
-  }
-
-  private static boolean hasRows(Path file) {
-    try (Stream<Path> files = Files.list(file.getParent())) {
-      return files
-          .filter(other -> other.getFileName().toString().startsWith(file.getFileName().toString()))
-          .anyMatch(other -> other.toFile().length() > 0);
-    } catch (java.io.IOException e) {
-      return false;
-    }
-  }
 }
