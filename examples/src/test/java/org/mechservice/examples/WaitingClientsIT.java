@@ -112,4 +112,47 @@ class WaitingClientsIT {
       run.awaitEnd().orFail();
     }
   }
+
+  @Test
+  void interruptedRunLeavesItsCheckpoint() throws Exception {
+    Terminal terminal = new Terminal(folder);
+    for (String mode : new String[] {"remote", "local"}) {
+      Path checkpoint = folder.resolve(mode + ".checkpoint");
+      try (Terminal.Running run =
+          terminal.startMech(
+              "simulate",
+              WorkingTree.PENDULUM.toString(),
+              "--mode",
+              mode,
+              "--t-end",
+              "1e8",
+              "--t-step",
+              "100",
+              "--out",
+              mode + ".csv",
+              "--checkpoint",
+              checkpoint.toString(),
+              "--every",
+              "1000")) {
+        run.awaitThat("rows", () -> hasRows(folder.resolve(mode + ".csv")));
+        run.terminate();
+        Terminal.Ended ended = run.awaitEnd();
+        assertThat(ended.exitStatus()).as(ended.toString()).isNotZero();
+        assertThat(ended.stderr()).contains("Rows up to there are in");
+        assertThat(checkpoint).isNotEmptyFile();
+      }
+    }
+  }
+
+  /** Returns whether rows are on disk, in the file that gets its name at the end. */
+  private static boolean hasRows(Path file) {
+    String name = file.getFileName().toString();
+    try (Stream<Path> files = Files.list(file.getParent())) {
+      return files
+          .filter(other -> other.getFileName().toString().contains(name))
+          .anyMatch(other -> other.toFile().length() > 0);
+    } catch (java.io.IOException e) {
+      return false;
+    }
+  }
 }

@@ -146,6 +146,7 @@ class AdministrationTest {
       IMechSimRemote run = Farm.running(farm.session("h"));
       String simId = run.simId();
       Eventually.holds(() -> farm.admin.showSimulation(simId).curves.length > 2);
+      Eventually.holds(() -> !farm.admin.showSimulation(simId).checkReportJson.isEmpty());
       SimDetail going = farm.admin.showSimulation(simId);
       assertThat(going.summary.simId).isEqualTo(simId);
       assertThat(going.summary.text).isEqualTo("running");

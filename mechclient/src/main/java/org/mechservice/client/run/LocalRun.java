@@ -29,6 +29,9 @@ import org.mechservice.solver.catalogue.MessageCode;
  * needs the server. It runs once.
  */
 public final class LocalRun implements PreparedRun {
+  /** Longest wait of a cancel for the end of a step, ms. */
+  private static final long LONGEST_STEP_MILLIS = 1000;
+
   private final ModelSource source;
   private final Map<String, String> parameters = new LinkedHashMap<>();
   private final Solver solver;
@@ -39,6 +42,9 @@ public final class LocalRun implements PreparedRun {
   private final RunControl control = new RunControl();
   private Model model;
   private volatile RunState state = RunState.CREATED;
+
+  /** Whether the run leaves checkpoints. */
+  private volatile boolean saved;
 
   /**
    * @param modelSha256 of the JAR the model came in
@@ -100,6 +106,7 @@ public final class LocalRun implements PreparedRun {
 
   @Override
   public RunResult toEnd(ResultSink sink, CheckpointStore store) throws IOException {
+    saved = Double.isFinite(store.secondsBetween());
     state = RunState.RUNNING;
     try {
       RunReport ended = solver.run(model, request, sink, control, checkpoints(store));
@@ -144,9 +151,18 @@ public final class LocalRun implements PreparedRun {
     };
   }
 
+  /** {@inheritDoc} A run with checkpoints stops after its step, if that does not take long. */
   @Override
   public void cancel() {
-    control.stop();
+    try {
+      if (saved && state == RunState.RUNNING) {
+        control.stopAfterStep(LONGEST_STEP_MILLIS, () -> state != RunState.RUNNING);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      control.stop();
+    }
   }
 
   @Override

@@ -57,9 +57,6 @@ public final class RemoteRun implements PreparedRun {
   /** Pauses before the attempts to find another host, ms; a service manager restarts hosts. */
   private static final long[] SEARCH_PAUSES_MILLIS = {0, 500, 1500, 3000, 5000, 10_000, 10_000};
 
-  /** Longest wait for the checkpoint of a run that was stopped, whose last step may take long. */
-  private static final long LAST_CHECKPOINT_NANOS = 20_000_000_000L;
-
   private final HostedRun.Opening elsewhere;
   private final Consumer<ModelMessage> listener;
   private final Map<String, String> parameters = new LinkedHashMap<>();
@@ -308,21 +305,8 @@ public final class RemoteRun implements PreparedRun {
     }
     RunState state = progress().state();
     if (clock.isWanted() && (state == RunState.CANCELLED || state == RunState.FAILED)) {
-      clock.keep(lastCheckpoint(state));
+      clock.keep(place.checkpoint());
     }
-  }
-
-  /** Returns the checkpoint that a stopped run leaves; a run that failed may leave none. */
-  private Optional<byte[]> lastCheckpoint(RunState state) {
-    long end = System.nanoTime() + LAST_CHECKPOINT_NANOS;
-    Optional<byte[]> made = place.checkpoint();
-    while (made.isEmpty()
-        && state == RunState.CANCELLED
-        && progress().steps() > 0
-        && System.nanoTime() < end) {
-      made = place.checkpoint();
-    }
-    return made;
   }
 
   /**

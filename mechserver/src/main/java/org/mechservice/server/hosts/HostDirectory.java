@@ -198,11 +198,18 @@ public final class HostDirectory implements AutoCloseable {
 
   /** Fetches the details of some runs while their host answers. */
   private void readOn(RegisteredHost host) throws UserException {
-    for (String simId : runs.unread(host.name(), READ_AT_ONCE)) {
+    for (int i = 0; i < READ_AT_ONCE; i++) {
+      Optional<String> next = runs.takeUnread(host.name());
+      if (next.isEmpty()) {
+        return;
+      }
       try {
-        runs.read(host.host().showSimulation(simId));
+        runs.read(host.host().showSimulation(next.get()));
       } catch (NotFound e) {
         // Its client has destroyed it already.
+      } catch (SystemException e) {
+        runs.notRead(host.name(), next.get());
+        throw e;
       }
     }
   }

@@ -192,12 +192,16 @@ public final class RunRegistry {
     }
   }
 
-  /** Returns runs of a host whose details should be fetched, at most so many. */
-  synchronized List<String> unread(String hostName, int most) {
-    Set<String> unread = page(hostName).unread;
-    List<String> some = unread.stream().limit(most).toList();
-    some.forEach(unread::remove);
-    return some;
+  /** Takes the run of a host whose details should be fetched next, if there is one. */
+  synchronized Optional<String> takeUnread(String hostName) {
+    Optional<String> next = page(hostName).unread.stream().findFirst();
+    next.ifPresent(page(hostName).unread::remove);
+    return next;
+  }
+
+  /** Notes that the details of a run could not be fetched, so that they are once more. */
+  synchronized void notRead(String hostName, String simId) {
+    page(hostName).unread.add(simId);
   }
 
   /** Records the details of a run. */

@@ -115,8 +115,10 @@ class RunRegistryTest {
     assertThat(book.of("h").get(0).info.state).isEqualTo(SimState.SIM_RUNNING);
     assertThat(book.hostOf("a")).contains("h");
     assertThat(book.outdated("h", 0, Long.MAX_VALUE)).isTrue();
-    assertThat(book.unread("h", 8)).containsExactly("a");
-    assertThat(book.unread("h", 8)).isEmpty();
+    assertThat(book.takeUnread("h")).contains("a");
+    assertThat(book.takeUnread("h")).isEmpty();
+    book.notRead("h", "a");
+    assertThat(book.takeUnread("h")).contains("a");
   }
 
   @Test

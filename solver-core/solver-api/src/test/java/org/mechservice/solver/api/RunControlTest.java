@@ -70,4 +70,14 @@ class RunControlTest {
     control.stop();
     solver.join();
   }
+
+  @Test
+  void stopAfterAStepThatDoesNotEndStopsAllTheSame() throws InterruptedException {
+    RunControl control = new RunControl();
+    control.stopAfterStep(30, () -> false);
+    assertThat(control.stopRequested()).isTrue();
+    RunControl ended = new RunControl();
+    ended.stopAfterStep(Long.MAX_VALUE, () -> true);
+    assertThat(ended.stopRequested()).isTrue();
+  }
 }

@@ -9,6 +9,8 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -165,6 +167,43 @@ class CheckpointTest {
     run(new HarmonicOscillator(), request("ode113"), all, Checkpoints.NONE);
     assertThat(first.rows.size() + rest.rows.size()).isEqualTo(all.rows.size());
     assertThat(rest.rows.get(rest.rows.size() - 1)).isEqualTo(all.rows.get(all.rows.size() - 1));
+  }
+
+  /**
+   * Evaluations wait, so that the request comes within a step; a plain stop leaves nothing then.
+   */
+  @Test
+  void runThatIsStoppedAfterItsStepLeavesACheckpoint() throws Exception {
+    Kept kept = new Kept("cafe", 3600, Optional.empty());
+    RunControl control = new RunControl();
+    CountDownLatch within = new CountDownLatch(1);
+    ExplicitModel slow =
+        new HarmonicOscillator() {
+          @Override
+          public int derivative(double t, double[] y, double[] yDot) {
+            if (t > 5) {
+              within.countDown();
+              LockSupport.parkNanos(2_000_000);
+            }
+            return super.derivative(t, y, yDot);
+          }
+        };
+    Thread stopper =
+        new Thread(
+            () -> {
+              try {
+                within.await();
+                control.stopAfterStep(60_000, () -> false);
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            });
+    stopper.start();
+    RunReport stopped =
+        new RuntimeSolver().run(slow, request("ode113"), new RecordedRows(), control, kept);
+    stopper.join();
+    assertThat(stopped.outcome()).isInstanceOf(Outcome.Stopped.class);
+    assertThat(kept.checkpoints).hasSize(1);
   }
 
   // What does not fit

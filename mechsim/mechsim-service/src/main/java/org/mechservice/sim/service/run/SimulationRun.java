@@ -250,7 +250,8 @@ public final class SimulationRun implements Runnable {
   }
 
   /**
-   * Makes a checkpoint after the current step; a cancelled run has left one.
+   * Makes a checkpoint after the current step; a cancelled run has left one, unless its last step
+   * took longer than a call may wait.
    *
    * @throws InvalidState if there is nothing to save yet or any more, or the run takes no step
    * @throws NotAvailable if the run cannot be saved
@@ -308,10 +309,15 @@ public final class SimulationRun implements Runnable {
   }
 
   /**
-   * Stops the run; when this returns, it has ended, with the rows it had put out. Waits neither for
-   * a solver within one long evaluation nor for a disk that does not answer. Idempotent.
+   * Stops the run after its current step, so that it leaves a checkpoint, or within one evaluation
+   * if the step takes long; when this returns, it has ended, with the rows it had put out. Waits
+   * neither for a solver within one long evaluation nor for a disk that does not answer.
+   * Idempotent.
    */
   public void cancel() throws InterruptedException {
+    if (lifecycle.runs() && canBeSaved()) {
+      control.stopAfterStep(MAX_WAIT_MILLIS.value, this::ended);
+    }
     end();
     completion.awaitDisk(DISK_MILLIS);
   }

@@ -49,7 +49,6 @@ import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.limits.SetUpPlaces;
-import org.mechservice.sim.service.results.RunIdentity;
 import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.RunFactory;
@@ -83,6 +82,7 @@ public final class SessionTable implements AutoCloseable {
   private final RunFactory runs;
   private final ClassLibrary classes = new ClassLibrary();
   private final SetUpWorkers setUps;
+  private final CheckReports reports;
   private final ExecutorService callbacks;
   private final ScheduledExecutorService clock =
       Executors.newSingleThreadScheduledExecutor(named("clock"));
@@ -124,6 +124,7 @@ public final class SessionTable implements AutoCloseable {
     admission = new AdmissionControl(limits, this::runsOf);
     places = new SetUpPlaces(limits);
     setUps = new SetUpWorkers(limits, classes);
+    reports = new CheckReports(setUps, callbacks);
     var unused =
         clock.scheduleWithFixedDelay(this::tick, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
     if (store.lasts()) {
@@ -357,15 +358,11 @@ public final class SessionTable implements AutoCloseable {
   }
 
   private SimDetail detail(RunRecord run, long until, List<SimEvent> events) {
-    RunIdentity identity = run.identity();
-    return run.detail(until, checkReport(identity), events);
-  }
-
-  private String checkReport(RunIdentity identity) {
     try {
-      return setUps.setUps().reportOf(identity.fileName(), identity.modelText());
-    } catch (LimitExceeded e) {
-      return ""; // of a model for which the limits have become too small
+      return run.detail(until, reports.of(run.identity()), events);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return run.detail(until, "", events);
     }
   }
 

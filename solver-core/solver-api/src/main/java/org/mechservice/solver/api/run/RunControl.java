@@ -2,6 +2,7 @@ package org.mechservice.solver.api.run;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
 
 /**
  * Controls and monitors one run from other threads: stop, pause, continue to a time, take a single
@@ -21,6 +22,8 @@ public class RunControl {
      */
     void copyState(double[] state);
   }
+
+  private static final long SLICE_MILLIS = 20;
 
   private volatile boolean stopRequested;
   private volatile double time = Double.NaN;
@@ -45,6 +48,23 @@ public class RunControl {
     synchronized (this) {
       notifyAll();
     }
+  }
+
+  /**
+   * Stops the run after its current step, where it can be saved; within one evaluation if no step
+   * ends in time.
+   *
+   * @param millis longest wait for the end of a step, ms
+   * @param ended whether the run has ended, so that no step ends any more
+   */
+  public final void stopAfterStep(long millis, BooleanSupplier ended) throws InterruptedException {
+    pause();
+    for (long left = millis; left > 0 && !ended.getAsBoolean(); left -= SLICE_MILLIS) {
+      if (awaitHeld(SLICE_MILLIS)) {
+        break;
+      }
+    }
+    stop();
   }
 
   /** Returns whether a stop was requested. */
