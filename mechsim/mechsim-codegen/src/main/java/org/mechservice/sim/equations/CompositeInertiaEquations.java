@@ -15,8 +15,8 @@ import org.mechservice.sim.equations.recursion.Pivots;
 import org.mechservice.sim.equations.recursion.TreeFactors;
 import org.mechservice.solver.links.Link;
 import org.mechservice.solver.links.Links;
-import org.mechservice.solver.step.ArticulatedInertia;
 import org.mechservice.solver.step.DegreeOfFreedom;
+import org.mechservice.solver.step.RigidInertia;
 import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
@@ -48,7 +48,7 @@ public final class CompositeInertiaEquations {
     this.mechanism = mechanism;
     this.links = mechanism.links();
     this.coordinates = new Coordinates(program, mechanism);
-    this.toParent = new ParentTransform(expressions, coordinates);
+    this.toParent = new ParentTransform(coordinates);
     for (int i = 0; i < links.size(); i++) {
       if (!links.get(i).isDriven()) {
         // the last is eliminated first
@@ -120,20 +120,20 @@ public final class CompositeInertiaEquations {
     return ancestors;
   }
 
-  private ArticulatedInertia[] composites() {
-    ArticulatedInertia[] composites = new ArticulatedInertia[links.size()];
+  /** Returns each link with all links beyond it as one rigid body. */
+  private RigidInertia[] composites() {
+    RigidInertia[] composites = new RigidInertia[links.size()];
     for (int i = 0; i < composites.length; i++) {
-      composites[i] = coordinates.step(links.get(i)).inertia();
+      composites[i] = coordinates.step(links.get(i)).rigidInertia();
     }
     for (int i = composites.length - 1; i >= 0; i--) {
       Link link = links.get(i);
       program.section("Composite inertia: " + link.title() + ".\nI_p += X I X'", link.bodyLabel());
-      program.named("J_" + link.bodyLabel(), composites[i].rotational());
-      program.named("H_" + link.bodyLabel(), composites[i].coupling());
-      program.named("M_" + link.bodyLabel(), composites[i].translational());
+      program.named("J_" + link.bodyLabel(), composites[i].second());
+      program.named("h_" + link.bodyLabel(), composites[i].first());
       if (link.parent() != Links.ROOT) {
         int p = link.parent();
-        composites[p] = composites[p].plus(toParent.inertia(link, composites[i]));
+        composites[p] = composites[p].plus(coordinates.step(link).toParent(composites[i]));
       }
     }
     return composites;
@@ -141,7 +141,7 @@ public final class CompositeInertiaEquations {
 
   /** Returns M_kj for all ancestors j of k, zero elsewhere. */
   private Scalar[][] massMatrix() {
-    ArticulatedInertia[] composites = composites();
+    RigidInertia[] composites = composites();
     int n = velocities.size();
     Scalar[][] mass = new Scalar[n][n];
     for (int k = n - 1; k >= 0; k--) {

@@ -41,8 +41,7 @@ public final class ModelJars {
     Map<String, String> manifest = new LinkedHashMap<>();
     manifest.put("Main-Class", mainClass);
     manifest.putAll(manifest(model, mechmlSha256));
-    SortedMap<String, byte[]> solver =
-        ReachableClasses.from(own, path -> ColumnClasses.needed(path, model));
+    SortedMap<String, byte[]> solver = ReachableClasses.from(own, ChosenClasses.of(model)::needed);
     return image(model, own, solver, mainClass, "-standalone", manifest);
   }
 

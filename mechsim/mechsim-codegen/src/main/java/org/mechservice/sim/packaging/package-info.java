@@ -9,8 +9,8 @@
  *
  * <p>{@code ReproducibleJar} writes an ordinary JAR with {@code java.util.jar}; the same content
  * gives the same bytes. {@code ModelDescriptionXml} writes {@code META-INF/modelDescription.xml},
- * the list of a model's variables, units and start values. {@code ColumnClasses} names the solver
- * classes that only some groups of columns need.
+ * the list of a model's variables, units and start values. {@code ChosenClasses} names the solver
+ * classes that only some models need.
  *
  * <p>Depends on {@code sim.model} and {@code sim.compile}; nothing of code generation depends on
  * it. Sources: PKWARE APPNOTE 6.3 (ZIP) and the JAR File Specification of Java 17.

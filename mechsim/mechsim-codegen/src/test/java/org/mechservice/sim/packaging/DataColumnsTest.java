@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.jar.JarEntry;
@@ -37,8 +38,11 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.step.StepKind;
 
 /** Columns that no code is generated for travel as data with the models that asked for them. */
 class DataColumnsTest {
@@ -122,9 +126,23 @@ class DataColumnsTest {
   void aJarCarriesTheClassesOfTheColumnsAskedForAlone(ColumnGroup group) throws IOException {
     CompiledModel model = pushed(group);
     assertThat(entries(ModelJars.standalone(model, "")))
-        .filteredOn(ColumnClasses.paths()::contains)
+        .filteredOn(ChosenClasses.ofColumns()::contains)
         .hasSize(1)
-        .allMatch(path -> ColumnClasses.needed(path, model) != null);
+        .allMatch(path -> ChosenClasses.of(model).needed(path) != null);
+  }
+
+  @Test
+  void aJarCarriesThePrintedStepsOfItsJointsAlone() throws IOException {
+    CompiledModel model = pushed(ColumnGroup.MOMENTUM);
+    Set<Object> kinds = new HashSet<>();
+    for (Link link : Links.of(model.source().mechanism()).links()) {
+      kinds.add(StepKind.of(link));
+      link.axes().turn().ifPresent(turn -> kinds.add(StepKind.ofTurn(turn.axis())));
+    }
+    assertThat(kinds).hasSizeLessThan(StepKind.values().length);
+    assertThat(entries(ModelJars.standalone(model, "")))
+        .filteredOn(name -> name.matches(".*/step/printed/Printed(?!Steps).*"))
+        .hasSameSizeAs(kinds);
   }
 
   /** Compact, so that none of the columns is code. */
@@ -161,7 +179,7 @@ class DataColumnsTest {
 
   @Test
   void theClassesOfColumnsAreClassesOfTheSolver() {
-    assertThat(ColumnClasses.paths())
+    assertThat(ChosenClasses.ofColumns())
         .isNotEmpty()
         .allSatisfy(p -> assertThat(SolverClasses.file(p)).isNotNull());
   }

@@ -13,7 +13,8 @@ import org.mechservice.solver.symbol.ScalarVector;
  * @param translational M, symmetric, kg
  */
 public record ArticulatedInertia(
-    ScalarMatrix rotational, ScalarMatrix coupling, ScalarMatrix translational) {
+    ScalarMatrix rotational, ScalarMatrix coupling, ScalarMatrix translational)
+    implements Moved<ArticulatedInertia> {
 
   public ArticulatedInertia plus(ArticulatedInertia other) {
     return new ArticulatedInertia(
@@ -78,25 +79,23 @@ public record ArticulatedInertia(
                     : translational.at(i, j).minus(kf.at(i).times(f.at(j)))));
   }
 
-  /** Returns the inertia in other axes: components v = rotation · this. */
-  ArticulatedInertia in(ScalarMatrix rotation) {
+  @Override
+  public ArticulatedInertia in(ScalarMatrix rotation) {
     return new ArticulatedInertia(
         rotational.in(rotation), coupling.in(rotation), translational.in(rotation));
   }
 
-  /** Returns the inertia in axes rotated back by R = Rot(axis, angle). */
-  ArticulatedInertia turned(int axis, Scalar cosine, Scalar sine) {
+  @Override
+  public ArticulatedInertia turned(int axis, Scalar cosine, Scalar sine) {
     return new ArticulatedInertia(
         rotational.turned(axis, cosine, sine),
         coupling.turned(axis, cosine, sine),
         translational.turned(axis, cosine, sine));
   }
 
-  /**
-   * Returns the inertia for a frame from which this one's origin is at {@code r}: H' = H + [r]× M
-   * and J' = J + [r]× H'ᵀ + ([r]× Hᵀ)ᵀ.
-   */
-  ArticulatedInertia shifted(ScalarVector r) {
+  /** {@inheritDoc} H' = H + [r]× M and J' = J + [r]× H'ᵀ + ([r]× Hᵀ)ᵀ. */
+  @Override
+  public ArticulatedInertia shifted(ScalarVector r) {
     ScalarMatrix h = coupling;
     ScalarMatrix moved = h.plus(ScalarMatrix.cross(r).times(translational));
     ScalarMatrix j =

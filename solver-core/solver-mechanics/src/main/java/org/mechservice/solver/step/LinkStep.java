@@ -170,6 +170,12 @@ public final class LinkStep {
         ScalarMatrix.of((row, column) -> row == column ? body.mass() : zero));
   }
 
+  /** Returns the inertia of the link's own body as a rigid one. */
+  public RigidInertia rigidInertia() {
+    LinkNumbers.Body body = numbers.body();
+    return new RigidInertia(body.mass(), body.first(), body.second());
+  }
+
   /**
    * The elimination of a degree of freedom from an articulated inertia.
    *
@@ -230,33 +236,16 @@ public final class LinkStep {
     return freedom.with(rest, freedom.turns() ? jointForce : jointForce.over(freedom.way()));
   }
 
-  /** Returns an inertia of the link in its parent's frame. */
-  public ArticulatedInertia toParent(ArticulatedInertia inertia) {
-    ArticulatedInertia atJoint = isBall() ? inertia.in(joint.ballRotation()) : inertia;
+  /** Returns a wrench on the link, or an inertia, in its parent's frame. */
+  public <T extends Moved<T>> T toParent(T ofLink) {
+    T atJoint = isBall() ? ofLink.in(joint.ballRotation()) : ofLink;
     if (turns()) {
       atJoint = atJoint.turned(Z, joint.cosine(), joint.sine());
     }
     if (slides()) {
       atJoint = atJoint.shifted(wayVector());
     }
-    ArticulatedInertia before = atJoint.in(numbers.axes());
-    return numbers
-        .turn()
-        .map(turn -> before.turned(turn.axis(), turn.cosine(), turn.sine()))
-        .orElse(before)
-        .shifted(numbers.offset());
-  }
-
-  /** Returns a wrench on the link in its parent's frame. */
-  public Wrench toParent(Wrench wrench) {
-    Wrench atJoint = isBall() ? wrench.in(joint.ballRotation()) : wrench;
-    if (turns()) {
-      atJoint = atJoint.turned(Z, joint.cosine(), joint.sine());
-    }
-    if (slides()) {
-      atJoint = atJoint.shifted(wayVector());
-    }
-    Wrench before = atJoint.in(numbers.axes());
+    T before = atJoint.in(numbers.axes());
     return numbers
         .turn()
         .map(turn -> before.turned(turn.axis(), turn.cosine(), turn.sine()))

@@ -10,7 +10,7 @@ import org.mechservice.solver.symbol.ScalarVector;
  * @param moment N·m
  * @param force N
  */
-public record Wrench(ScalarVector moment, ScalarVector force) {
+public record Wrench(ScalarVector moment, ScalarVector force) implements Moved<Wrench> {
 
   public Wrench plus(Wrench other) {
     return new Wrench(moment.plus(other.moment), force.plus(other.force));
@@ -30,17 +30,17 @@ public record Wrench(ScalarVector moment, ScalarVector force) {
     return new Wrench(moment.times(factor), force.times(factor));
   }
 
-  /** Returns the same wrench in other axes: components v = rotation · this. */
+  @Override
   public Wrench in(ScalarMatrix rotation) {
     return new Wrench(rotation.times(moment), rotation.times(force));
   }
 
-  /** Returns the same wrench in axes rotated back: components v = Rot(axis, angle) · this. */
+  @Override
   public Wrench turned(int axis, Scalar cosine, Scalar sine) {
     return new Wrench(moment.turned(axis, cosine, sine), force.turned(axis, cosine, sine));
   }
 
-  /** Returns the same wrench about a point from which this frame's origin is at {@code r}. */
+  @Override
   public Wrench shifted(ScalarVector r) {
     return new Wrench(moment.plus(r.cross(force)), force);
   }

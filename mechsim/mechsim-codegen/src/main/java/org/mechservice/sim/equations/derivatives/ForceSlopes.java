@@ -51,7 +51,7 @@ final class ForceSlopes {
     this.coordinates = coordinates;
     this.places = places;
     this.loads = loads;
-    this.toParent = new ParentTransform(expressions, coordinates);
+    this.toParent = new ParentTransform(coordinates);
     mechanism.links().forEach(link -> subspaces.add(columns.subspace(link)));
     byPosition = new Scalar[places.size()][places.size()];
     byVelocity = new Scalar[places.size()][places.size()];

@@ -42,7 +42,7 @@ final class LinkRows {
     this.coordinates = coordinates;
     this.places = places;
     this.elements = elements;
-    this.toParent = new ParentTransform(program.expressions(), coordinates);
+    this.toParent = new ParentTransform(coordinates);
   }
 
   /**

@@ -14,7 +14,6 @@ import org.mechservice.sim.equations.loop.LoopRows;
 import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.JointSweep;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.equations.recursion.ParentTransform;
 import org.mechservice.sim.equations.recursion.RigidComposite;
 import org.mechservice.sim.equations.recursion.VelocityRows;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
@@ -61,7 +60,6 @@ public final class ResidualDerivatives {
   private final Links mechanism;
   private final Coordinates coordinates;
   private final TreeOrder places;
-  private final ParentTransform toParent;
 
   /** Terms of rods between bodies in M, by velocities of the state. */
   private final Scalar[][] massOfRods;
@@ -73,7 +71,6 @@ public final class ResidualDerivatives {
     this.mechanism = mechanism;
     coordinates = new Coordinates(program, mechanism, derivative);
     places = new TreeOrder(mechanism);
-    toParent = new ParentTransform(expressions, coordinates);
     massOfRods = new Scalar[mechanism.velocityCount()][mechanism.velocityCount()];
     for (Scalar[] row : massOfRods) {
       Arrays.fill(row, expressions.zero());
@@ -178,7 +175,7 @@ public final class ResidualDerivatives {
     for (int i = 0; i < composites.length; i++) {
       Link link = mechanism.links().get(i);
       program.section("Momentum: " + link.title() + ".", link.bodyLabel());
-      composites[i] = RigidComposite.of(expressions, link, columns.velocity(i));
+      composites[i] = RigidComposite.of(coordinates.step(link).rigidInertia(), columns.velocity(i));
     }
     for (int i = composites.length - 1; i >= 0; i--) {
       Link link = mechanism.links().get(i);
@@ -187,7 +184,7 @@ public final class ResidualDerivatives {
           link.bodyLabel());
       if (link.parent() != Links.ROOT) {
         int p = link.parent();
-        composites[p] = composites[p].plus(toParent.composite(link, composites[i]));
+        composites[p] = composites[p].plus(coordinates.step(link).toParent(composites[i]));
       }
     }
     return composites;

@@ -173,7 +173,7 @@ public final class LoopCode {
     for (int i = 0; i < n; i++) {
       mass[i] = rows.zeros();
     }
-    new StateMass(program, mechanism, rows)
+    new StateMass(program, mechanism, coordinates, rows)
         .each(
             (row, column, element) -> mass[Math.max(row, column)][Math.min(row, column)] = element);
     program.section("Mass matrix, lower triangle.", "mass");

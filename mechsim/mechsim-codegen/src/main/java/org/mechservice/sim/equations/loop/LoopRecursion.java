@@ -50,7 +50,7 @@ public final class LoopRecursion {
     this.kinematics = new LinkKinematics(program, mechanism, coordinates, true);
     this.subspace = new JointSubspace(program.expressions(), coordinates);
     this.pattern = new LoopEquations(new TreeGeometry(mechanism.mechanism())).jacobian;
-    this.toParent = new ParentTransform(program.expressions(), coordinates);
+    this.toParent = new ParentTransform(coordinates);
     this.equations = equations;
   }
 

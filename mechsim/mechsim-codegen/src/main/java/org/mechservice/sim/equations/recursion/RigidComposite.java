@@ -1,10 +1,9 @@
 package org.mechservice.sim.equations.recursion;
 
-import org.mechservice.solver.links.Link;
-import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.step.Moved;
+import org.mechservice.solver.step.RigidInertia;
 import org.mechservice.solver.step.Twist;
 import org.mechservice.solver.step.Wrench;
-import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarMatrix;
 import org.mechservice.solver.symbol.ScalarVector;
@@ -15,33 +14,19 @@ import org.mechservice.solver.symbol.ScalarVector;
  * = [n; l] and h = m c most terms cancel: 2 B [ω; u] = [T ω; −2 l × ω] with T = W + Wᵀ − h uᵀ − u
  * hᵀ + 2 (h·u) 1 − n×, W = ω× J.
  *
- * @param mass m, kg
- * @param moment h, kg·m
- * @param second J about the origin, symmetric, kg·m²
+ * @param inertia I, with h and J about the origin
  * @param turning T, kg·m²/s
  * @param momentum l, N·s
  */
-public record RigidComposite(
-    double mass,
-    ScalarVector moment,
-    ScalarMatrix second,
-    ScalarMatrix turning,
-    ScalarVector momentum) {
+public record RigidComposite(RigidInertia inertia, ScalarMatrix turning, ScalarVector momentum)
+    implements Moved<RigidComposite> {
 
-  /** Returns a link's own body, moving at a velocity. */
-  public static RigidComposite of(Expressions expressions, Link link, Twist velocity) {
-    InertiaTensor own = link.inertiaAtOrigin();
-    double[][] elements = {
-      {own.xx(), own.xy(), own.xz()}, {own.xy(), own.yy(), own.yz()}, {own.xz(), own.yz(), own.zz()}
-    };
-    ScalarMatrix j = ScalarMatrix.of((r, c) -> expressions.constant(elements[r][c]));
-    ScalarVector h = ScalarVector.of(expressions, link.centerOfMass().times(link.mass()));
-    ScalarMatrix none = ScalarMatrix.zero(expressions);
-    RigidComposite still =
-        new RigidComposite(link.mass(), h, j, none, ScalarVector.zero(expressions));
-    Wrench momentum = still.times(velocity);
+  /** Returns a body, moving at a velocity. */
+  public static RigidComposite of(RigidInertia body, Twist velocity) {
+    Wrench momentum = body.times(velocity);
+    ScalarVector h = body.first();
     ScalarVector u = velocity.linear();
-    ScalarMatrix w = ScalarMatrix.cross(velocity.angular()).times(j);
+    ScalarMatrix w = ScalarMatrix.cross(velocity.angular()).times(body.second());
     Scalar twice = h.dot(u).times(2);
     ScalarMatrix even =
         ScalarMatrix.symmetric(
@@ -52,64 +37,44 @@ public record RigidComposite(
               return r == c ? element.plus(twice) : element;
             });
     ScalarMatrix odd = ScalarMatrix.cross(momentum.moment().map(Scalar::negated));
-    return new RigidComposite(link.mass(), h, j, even.plus(odd), momentum.force());
+    return new RigidComposite(body, even.plus(odd), momentum.force());
   }
 
   public RigidComposite plus(RigidComposite other) {
     return new RigidComposite(
-        mass + other.mass,
-        moment.plus(other.moment),
-        second.plus(other.second),
-        turning.plus(other.turning),
-        momentum.plus(other.momentum));
+        inertia.plus(other.inertia), turning.plus(other.turning), momentum.plus(other.momentum));
   }
 
-  /** Returns the same inertia in other axes, given the rotation of vectors and matrices. */
-  RigidComposite in(AxesOf axes) {
+  @Override
+  public RigidComposite in(ScalarMatrix rotation) {
+    return new RigidComposite(inertia.in(rotation), turning.in(rotation), rotation.times(momentum));
+  }
+
+  @Override
+  public RigidComposite turned(int axis, Scalar cosine, Scalar sine) {
     return new RigidComposite(
-        mass,
-        axes.vector(moment),
-        axes.matrix(second),
-        axes.matrix(turning),
-        axes.vector(momentum));
+        inertia.turned(axis, cosine, sine),
+        turning.turned(axis, cosine, sine),
+        momentum.turned(axis, cosine, sine));
   }
 
-  /** Rotation of vectors and matrices to other axes. */
-  interface AxesOf {
-    ScalarVector vector(ScalarVector v);
-
-    ScalarMatrix matrix(ScalarMatrix m);
-  }
-
-  /**
-   * Returns the same inertia about a point from which this origin is at {@code p}: h' = h + m p, J'
-   * = J + 2 (p·h) 1 − p hᵀ − h pᵀ + m ((p·p) 1 − p pᵀ), T' = T + 2 ((p·l) 1 − l pᵀ).
-   */
-  RigidComposite shifted(ScalarVector p) {
-    ScalarVector half = moment.plus(p.map(x -> x.times(mass / 2)));
-    Scalar along = p.dot(half).times(2);
-    ScalarMatrix j =
-        ScalarMatrix.symmetric(
-            (r, c) -> {
-              Scalar product = p.at(r).times(half.at(c)).plus(half.at(r).times(p.at(c)));
-              Scalar element = second.at(r, c).minus(product);
-              return r == c ? element.plus(along) : element;
-            });
-    Scalar carried = p.dot(momentum).times(2);
+  /** {@inheritDoc} T' = T + 2 ((r·l) 1 − l rᵀ). */
+  @Override
+  public RigidComposite shifted(ScalarVector r) {
+    Scalar carried = r.dot(momentum).times(2);
     ScalarMatrix t =
         ScalarMatrix.of(
-            (r, c) -> {
-              Scalar element = turning.at(r, c).minus(momentum.at(r).times(2).times(p.at(c)));
-              return r == c ? element.plus(carried) : element;
+            (row, column) -> {
+              Scalar element =
+                  turning.at(row, column).minus(momentum.at(row).times(2).times(r.at(column)));
+              return row == column ? element.plus(carried) : element;
             });
-    return new RigidComposite(mass, moment.plus(p.map(x -> x.times(mass))), j, t, momentum);
+    return new RigidComposite(inertia.shifted(r), t, momentum);
   }
 
-  /** Returns I x = [J ω + h × u; m u − h × ω]. */
+  /** Returns I x. */
   public Wrench times(Twist x) {
-    return new Wrench(
-        second.times(x.angular()).plus(moment.cross(x.linear())),
-        x.linear().map(u -> u.times(mass)).minus(moment.cross(x.angular())));
+    return inertia.times(x);
   }
 
   /** Returns 2 B x = [T ω; 2 ω × l]. */

@@ -1,14 +1,14 @@
 package org.mechservice.sim.equations.recursion;
 
 import java.util.List;
+import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.solver.links.Link;
 import org.mechservice.solver.links.Links;
+import org.mechservice.solver.step.RigidInertia;
 import org.mechservice.solver.step.Twist;
 import org.mechservice.solver.step.Wrench;
-import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
-import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * The mass matrix for the velocities of the state, from composite inertias (Featherstone 2008,
@@ -17,10 +17,12 @@ import org.mechservice.solver.symbol.ScalarVector;
 public final class StateMass {
   private final Program program;
   private final List<Link> links;
+  private final Coordinates coordinates;
   private final VelocityRows rows;
 
-  public StateMass(Program program, Links mechanism, VelocityRows rows) {
+  public StateMass(Program program, Links mechanism, Coordinates coordinates, VelocityRows rows) {
     this.program = program;
+    this.coordinates = coordinates;
     this.links = mechanism.links();
     this.rows = rows;
   }
@@ -32,7 +34,7 @@ public final class StateMass {
 
   /** Derives the elements between each velocity and its ancestors. */
   public void each(Taker taker) {
-    RigidComposite[] composites = composites();
+    RigidInertia[] composites = composites();
     for (int i = links.size() - 1; i >= 0; i--) {
       Link link = links.get(i);
       program.section(
@@ -69,21 +71,20 @@ public final class StateMass {
     return program.expressions().constant(value);
   }
 
-  private RigidComposite[] composites() {
-    Expressions expressions = program.expressions();
-    ScalarVector none = ScalarVector.zero(expressions);
-    RigidComposite[] composites = new RigidComposite[links.size()];
+  /** Returns each link with all links beyond it as one rigid body. */
+  private RigidInertia[] composites() {
+    RigidInertia[] composites = new RigidInertia[links.size()];
     for (int i = 0; i < composites.length; i++) {
-      composites[i] = RigidComposite.of(expressions, links.get(i), new Twist(none, none));
+      composites[i] = coordinates.step(links.get(i)).rigidInertia();
     }
     for (int i = composites.length - 1; i >= 0; i--) {
       Link link = links.get(i);
       program.section("Composite inertia: " + link.title() + ".\nI_p += X I X'", link.bodyLabel());
-      program.named("h_" + link.bodyLabel(), composites[i].moment());
+      program.named("h_" + link.bodyLabel(), composites[i].first());
       program.named("J_" + link.bodyLabel(), composites[i].second());
       if (link.parent() != Links.ROOT) {
         int p = link.parent();
-        composites[p] = composites[p].plus(rows.toParent(link, composites[i]));
+        composites[p] = composites[p].plus(coordinates.step(link).toParent(composites[i]));
       }
     }
     return composites;

@@ -21,7 +21,7 @@ public final class VelocityRows {
   public VelocityRows(Expressions expressions, Links mechanism, Coordinates coordinates) {
     this.expressions = expressions;
     this.mechanism = mechanism;
-    this.toParent = new ParentTransform(expressions, coordinates);
+    this.toParent = new ParentTransform(coordinates);
     this.subspace = new JointSubspace(expressions, coordinates);
   }
 
@@ -64,10 +64,5 @@ public final class VelocityRows {
   /** Returns a wrench on a link in its parent's frame. */
   Wrench toParent(Link link, Wrench wrench) {
     return toParent.wrench(link, wrench);
-  }
-
-  /** Returns an inertia of a link in its parent's frame. */
-  RigidComposite toParent(Link link, RigidComposite composite) {
-    return toParent.composite(link, composite);
   }
 }
