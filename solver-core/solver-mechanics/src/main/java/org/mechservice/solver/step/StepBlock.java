@@ -12,9 +12,6 @@ import org.mechservice.solver.spatial.Vector3;
  * needs are beside each other; what only balls have is at the end.
  */
 public final class StepBlock {
-  /** The link's own numbers, {@link LinkNumbers#COUNT}. */
-  public static final int NUMBERS = 0;
-
   /** The coordinate, its cosine and its sine. */
   public static final int POSITION = LinkNumbers.COUNT;
 
