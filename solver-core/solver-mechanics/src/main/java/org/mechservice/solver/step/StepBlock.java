@@ -8,8 +8,9 @@ import org.mechservice.solver.spatial.Vector3;
 
 /**
  * The layout of the numbers of one step in the array that a tree's steps share, from the step's
- * place on. All quantities are in the link's computing frame, in SI units. Numbers that one sweep
- * needs are beside each other; what only balls have is at the end.
+ * place on; the link's own, {@link LinkNumbers#COUNT}, come first. All quantities are in the link's
+ * computing frame, in SI units. Numbers that one sweep needs are beside each other; what only balls
+ * have is at the end.
  */
 public final class StepBlock {
   /** The coordinate, its cosine and its sine. */
