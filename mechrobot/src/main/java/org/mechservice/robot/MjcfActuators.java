@@ -7,14 +7,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.robot.MjcfForces.Site;
 import org.mechservice.robot.MjcfForces.Tendon;
-import org.mechservice.robot.Robot.Filter;
+import org.mechservice.robot.Robot.BodyForce;
 import org.mechservice.robot.Robot.Force;
 import org.mechservice.robot.Robot.Freedom;
 import org.mechservice.robot.Robot.Input;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.JointForce;
+import org.mechservice.robot.Robot.State;
+import org.mechservice.solver.spatial.Vector3;
 
 /**
  * The motors and servos of an MJCF model: each is an input u, zero until somebody sets it, and the
@@ -26,50 +30,114 @@ import org.mechservice.robot.Robot.JointForce;
  * and the force on the joint is gear · force.
  */
 final class MjcfActuators {
+  /** MuJoCo's kinds of actuators that are a law of this form. */
   private static final Set<String> READ =
-      Set.of("motor", "position", "velocity", "damper", "general");
+      Set.of("motor", "position", "velocity", "intvelocity", "damper", "cylinder", "general");
+
+  /** Time in which an integrated command comes to its bound at the most, s. */
+  private static final double AT_BOUND = 1e-3;
 
   /** Force on a joint from all its motors. */
   private record Sum(Element element, List<String> parts) {}
 
+  /** How an input becomes what acts. */
+  private enum Activation {
+    /** At once. */
+    NONE,
+    /** With a delay of the first order. */
+    FILTER,
+    /** As its integral over time. */
+    INTEGRAL
+  }
+
   /**
-   * The force of an actuator: its factor of the input, and a₀ + a₁ length + a₂ velocity.
+   * The force of an actuator: (g₀ + g₁ length + g₂ velocity) u + a₀ + a₁ length + a₂ velocity.
    *
    * @param dampingRatio from which MuJoCo makes a₂; 0 if that is given
-   * @param time time constant with which the input acts, s; 0 if it acts at once
+   * @param activation how the input acts
+   * @param time constant of a delay, s
    */
-  private record Law(double gain, List<Double> bias, double dampingRatio, double time) {
+  private record Law(
+      List<Double> gain,
+      List<Double> bias,
+      double dampingRatio,
+      Activation activation,
+      double time) {
     Law(double gain, List<Double> bias) {
-      this(gain, bias, 0, 0);
+      this(List.of(gain, 0.0, 0.0), bias, 0, Activation.NONE, 0);
     }
 
     /** Returns the law with the damping for an inertia as the actuator sees it. */
     Law damped(double inertia) {
       double damping = 2 * dampingRatio * Math.sqrt(-bias.get(1) * inertia);
-      return new Law(gain, List.of(bias.get(0), bias.get(1), -damping), 0, time);
+      return new Law(gain, List.of(bias.get(0), bias.get(1), -damping), 0, activation, time);
+    }
+
+    Law delayed(double seconds) {
+      Activation delay = seconds > 0 ? Activation.FILTER : Activation.NONE;
+      return new Law(gain, bias, dampingRatio, delay, seconds);
+    }
+
+    Law integrated() {
+      return new Law(gain, bias, dampingRatio, Activation.INTEGRAL, 0);
+    }
+
+    Law by(double ratio) {
+      return new Law(gain, bias, ratio, activation, time);
     }
 
     boolean actsAlone() {
       return bias.stream().anyMatch(x -> x != 0);
     }
+
+    boolean feelsMotion() {
+      return gain.get(2) != 0 || bias.get(2) != 0 || dampingRatio != 0;
+    }
+  }
+
+  /** Where an actuator pulls. */
+  private interface Transmission {
+    /** Returns its length in MechML, without a constant. */
+    String length();
+
+    /** Returns the constant part of the length. */
+    default double offset() {
+      return 0;
+    }
+
+    /** Returns the rate of the length in MechML; empty if the import has no expression for it. */
+    Optional<String> velocity();
+
+    /** Returns the inertia that it moves; 0 if it is not defined. */
+    double inertia();
+
+    /** Returns whether its length is an angle. */
+    boolean turns();
+
+    /** Lets a force act. */
+    void act(Element actuator, String name, String force);
   }
 
   private final Map<String, Joint> joints;
+  private final Map<String, Site> sites;
   private final Map<String, Double> references;
   private final RobotInertia inertia;
   private final RobotNumbers numbers;
   private final ImportLosses losses;
   private final List<Force> inputs = new ArrayList<>();
+  private final List<Force> pulls = new ArrayList<>();
   private final Map<String, Sum> sums = new LinkedHashMap<>();
   private final Set<String> names = new HashSet<>();
 
   MjcfActuators(
       Map<String, Joint> joints,
+      Map<String, Site> sites,
       Map<String, Double> references,
       RobotInertia inertia,
       RobotNumbers numbers,
       ImportLosses losses) {
     this.joints = joints;
+    this.sites = sites;
     this.references = references;
     this.inertia = inertia;
     this.numbers = numbers;
@@ -79,6 +147,7 @@ final class MjcfActuators {
   /** Returns the inputs, then the forces. */
   List<Force> forces() {
     List<Force> all = new ArrayList<>(inputs);
+    all.addAll(pulls);
     sums.forEach(
         (name, sum) -> {
           String force = String.join(" + ", sum.parts());
@@ -109,119 +178,320 @@ final class MjcfActuators {
         + "))";
   }
 
-  /** Reads an actuator. */
-  void read(MjcfReader.Scope scope, Element actuator, Map<String, Tendon> tendons) {
-    Optional<Law> law = law(actuator);
-    if (law.isEmpty()) {
-      lose(actuator, true, "a motor of this kind is left out");
+  /**
+   * Reads an actuator.
+   *
+   * @param mark adds the points that expressions of a line name
+   */
+  void read(
+      MjcfReader.Scope scope,
+      Element actuator,
+      Map<String, Tendon> tendons,
+      Consumer<MjcfLine> mark) {
+    if (actuator.name().equals("adhesion")) {
+      losses.contact(actuator, "left out: it acts where its body touches another");
       return;
     }
-    List<Double> gear =
-        actuator
-            .attribute("gear")
-            .map(text -> numbers.read(actuator, "gear", text, 1, 6))
-            .orElse(List.of(1.0));
-    Map<String, Double> moments = new LinkedHashMap<>();
+    Optional<Law> law = law(actuator);
+    if (law.isEmpty()) {
+      losses.motion(actuator, "a motor of this kind is left out");
+      return;
+    }
+    Optional<Transmission> found = transmission(scope, actuator, tendons, mark);
+    boolean still = found.filter(way -> way.velocity().isEmpty()).isPresent();
+    if (found.isEmpty() || (still && law.get().feelsMotion())) {
+      LossGrade grade = law.get().actsAlone() ? LossGrade.MOTION : LossGrade.CONTACT;
+      losses.add(
+          grade,
+          actuator,
+          "it is left out: only motors of hinges, slides and tendons, and forces at free joints and"
+              + " sites are read");
+      return;
+    }
+    Transmission way = found.get();
+    Law acting = law.get();
+    if (acting.dampingRatio() != 0) {
+      acting = acting.damped(way.inertia());
+    }
+    addForce(actuator, scope, acting, way);
+  }
+
+  private Optional<Transmission> transmission(
+      MjcfReader.Scope scope,
+      Element actuator,
+      Map<String, Tendon> tendons,
+      Consumer<MjcfLine> mark) {
+    List<Double> gear = new ArrayList<>(list(actuator, "gear"));
+    if (gear.isEmpty()) {
+      gear.add(1.0);
+    }
+    while (gear.size() < 6) {
+      gear.add(0.0);
+    }
     Optional<String> single = actuator.attribute("joint");
     Optional<Tendon> tendon =
         actuator
             .attribute("tendon")
             .flatMap(name -> Optional.ofNullable(tendons.get(scope.named(name))));
+    Optional<String> site = actuator.attribute("site");
     if (single.isPresent()) {
       Joint joint = joints.get(scope.named(single.get()));
       if (joint == null) {
         numbers.contradiction(actuator, "joint \"" + single.get() + "\" does not exist");
-        return;
+        return Optional.empty();
       }
       if (joint.type().isSingle()) {
-        moments.put(joint.name(), gear.get(0));
+        return Optional.of(alongJoints(Map.of(joint.name(), gear.get(0))));
       }
-    } else if (tendon.isPresent()) {
-      tendon.get().terms().forEach((joint, factor) -> moments.put(joint, gear.get(0) * factor));
+      return joint.type() == Freedom.FLOATING ? Optional.of(atFree(joint, gear)) : Optional.empty();
     }
-    if (moments.isEmpty()) {
-      lose(
-          actuator,
-          law.get().actsAlone(),
-          "it is left out: only motors of hinges, slides and fixed tendons are read");
-      return;
-    }
-    Law acting = law.get();
-    if (acting.dampingRatio() != 0 && single.isPresent()) {
+    if (tendon.isPresent()) {
       double factor = gear.get(0);
-      acting = acting.damped(inertia.free(scope.named(single.get())) / (factor * factor));
-    } else if (acting.dampingRatio() != 0) {
-      losses.motion(actuator, "its damping ratio is left out: it is read at single joints");
+      if (tendon.get().line().isPresent()) {
+        return Optional.of(alongLine(tendon.get().line().get(), factor, mark));
+      }
+      Map<String, Double> moments = new LinkedHashMap<>();
+      tendon.get().terms().forEach((joint, each) -> moments.put(joint, factor * each));
+      return Optional.of(alongJoints(moments));
     }
-    boolean turns =
-        moments.keySet().stream().allMatch(name -> joint(name).type() != Freedom.PRISMATIC);
-    addForces(actuator, scope, acting, moments, turns);
+    if (site.isPresent() && actuator.attribute("refsite").isEmpty()) {
+      return Optional.ofNullable(sites.get(scope.named(site.get()))).map(at -> atSite(at, gear));
+    }
+    return Optional.empty();
   }
 
-  private void lose(Element actuator, boolean alone, String what) {
-    losses.add(alone ? LossGrade.MOTION : LossGrade.CONTACT, actuator, what);
+  private Transmission alongJoints(Map<String, Double> moments) {
+    double constant = 0;
+    for (Map.Entry<String, Double> moment : moments.entrySet()) {
+      constant += moment.getValue() * references.getOrDefault(moment.getKey(), 0.0);
+    }
+    double offset = constant;
+    return new Transmission() {
+      @Override
+      public String length() {
+        return MechmlText.sum(moments, ".q");
+      }
+
+      @Override
+      public double offset() {
+        return offset;
+      }
+
+      @Override
+      public Optional<String> velocity() {
+        return Optional.of(MechmlText.sum(moments, ".v"));
+      }
+
+      @Override
+      public double inertia() {
+        if (moments.size() > 1) {
+          return inertia.free(moments);
+        }
+        Map.Entry<String, Double> only = moments.entrySet().iterator().next();
+        return inertia.free(only.getKey()) / (only.getValue() * only.getValue());
+      }
+
+      @Override
+      public boolean turns() {
+        return moments.keySet().stream().allMatch(name -> joint(name).type() != Freedom.PRISMATIC);
+      }
+
+      @Override
+      public void act(Element actuator, String name, String force) {
+        moments.forEach(
+            (joint, factor) ->
+                sums.computeIfAbsent(joint, key -> new Sum(actuator, new ArrayList<>()))
+                    .parts()
+                    .add(factor == 1 ? force : "(" + MechmlText.number(factor) + ")*" + force));
+      }
+    };
   }
 
-  private void addForces(
-      Element actuator,
-      MjcfReader.Scope scope,
-      Law law,
-      Map<String, Double> moments,
-      boolean turns) {
-    String first = moments.keySet().iterator().next();
+  private Transmission alongLine(MjcfLine line, double factor, Consumer<MjcfLine> mark) {
+    return new Transmission() {
+      private String times(String text) {
+        mark.accept(line);
+        return factor == 1 ? text : "(" + MechmlText.number(factor) + ")*(" + text + ")";
+      }
+
+      @Override
+      public String length() {
+        return times(line.length());
+      }
+
+      @Override
+      public Optional<String> velocity() {
+        return Optional.of(times(line.rate()));
+      }
+
+      @Override
+      public double inertia() {
+        return 0;
+      }
+
+      @Override
+      public boolean turns() {
+        return false;
+      }
+
+      @Override
+      public void act(Element actuator, String name, String force) {
+        mark.accept(line);
+        pulls.addAll(line.forces(actuator, name, times(force)));
+      }
+    };
+  }
+
+  /** The force in world axes and the torque in the link's axes that act at a free joint's link. */
+  private Transmission atFree(Joint joint, List<Double> gear) {
+    Vector3 force = new Vector3(gear.get(0), gear.get(1), gear.get(2));
+    Vector3 torque = new Vector3(gear.get(3), gear.get(4), gear.get(5));
+    return atPoint(joint.child(), Vector3.ZERO, force, false, torque);
+  }
+
+  /** The force and torque in the axes of a site. */
+  private Transmission atSite(Site site, List<Double> gear) {
+    Vector3 force = new Vector3(gear.get(0), gear.get(1), gear.get(2));
+    Vector3 torque = new Vector3(gear.get(3), gear.get(4), gear.get(5));
+    return atPoint(
+        site.link(),
+        site.frame().at(),
+        site.frame().turn().apply(force),
+        true,
+        site.frame().turn().apply(torque));
+  }
+
+  /**
+   * @param turning whether the force is in the link's axes, as the torque is
+   */
+  private Transmission atPoint(
+      String link, Vector3 at, Vector3 force, boolean turning, Vector3 torque) {
+    return new Transmission() {
+      @Override
+      public String length() {
+        return "0"; // without a reference a site has no place that would count
+      }
+
+      @Override
+      public Optional<String> velocity() {
+        return Optional.empty();
+      }
+
+      @Override
+      public double inertia() {
+        return 0;
+      }
+
+      @Override
+      public boolean turns() {
+        return force.equals(Vector3.ZERO);
+      }
+
+      @Override
+      public void act(Element actuator, String name, String strength) {
+        if (!force.equals(Vector3.ZERO)) {
+          pulls.add(
+              new BodyForce(
+                  actuator, name + " force", link, at, turning, times(force, strength), List.of()));
+        }
+        if (!torque.equals(Vector3.ZERO)) {
+          List<String> none = List.of("0", "0", "0");
+          pulls.add(
+              new BodyForce(
+                  actuator, name + " torque", link, at, true, none, times(torque, strength)));
+        }
+      }
+    };
+  }
+
+  private static List<String> times(Vector3 v, String strength) {
+    return List.of(
+        "(" + MechmlText.number(v.x()) + ")*" + strength,
+        "(" + MechmlText.number(v.y()) + ")*" + strength,
+        "(" + MechmlText.number(v.z()) + ")*" + strength);
+  }
+
+  private void addForce(Element actuator, MjcfReader.Scope scope, Law law, Transmission way) {
+    String target =
+        actuator
+            .attribute("joint")
+            .or(() -> actuator.attribute("tendon"))
+            .or(() -> actuator.attribute("site"))
+            .map(scope::named)
+            .orElse("");
     String name =
-        actuator.attribute("name").map(scope::named).orElse(first + " " + actuator.name());
+        actuator.attribute("name").map(scope::named).orElse(target + " " + actuator.name());
     while (!names.add(name)) {
       name += "_";
     }
-    boolean commands = actuator.name().equals("position") || actuator.name().equals("velocity");
+    boolean speeds = actuator.name().matches("velocity|intvelocity");
+    boolean commands = speeds || actuator.name().equals("position");
+    boolean turns = way.turns();
     String unit = commands ? (turns ? "rad" : "m") : turns ? "N*m" : "N";
-    unit = actuator.name().equals("velocity") ? unit + "/s" : unit;
-    String signal = actuator.name().matches("general|damper") ? "1" : unit;
-    inputs.add(new Input(actuator, name, signal));
+    String signal = actuator.name().matches("general|damper|cylinder") ? "1" : unit;
+    inputs.add(new Input(actuator, name, speeds ? unit + "/s" : signal));
     String u = MechmlText.name(name);
     Optional<List<Double>> control = range(actuator, "ctrl");
     if (control.isPresent()) {
       u = clamped(u, control.get());
     }
-    if (law.time() > 0) {
+    if (law.activation() != Activation.NONE) {
       String follower = name + " activation";
       while (!names.add(follower)) {
         follower += "_";
       }
-      inputs.add(new Filter(actuator, follower, signal, u, law.time()));
-      u = MechmlText.name(follower);
+      String own = MechmlText.name(follower);
+      String rate =
+          law.activation() == Activation.FILTER
+              ? "(" + u + " - " + own + ")/(" + MechmlText.number(law.time()) + ")"
+              : bounded(own, u, range(actuator, "act"));
+      inputs.add(new State(actuator, follower, signal, rate));
+      u = own;
     }
-    double offset = 0;
-    for (Map.Entry<String, Double> moment : moments.entrySet()) {
-      offset += moment.getValue() * references.getOrDefault(moment.getKey(), 0.0);
-    }
-    StringBuilder force = new StringBuilder();
-    if (actuator.name().equals("damper")) {
-      // -kv · velocity · u
-      force.append("-(").append(MechmlText.number(law.gain())).append(")*");
-      force.append("(").append(MechmlText.sum(moments, ".v")).append(")*").append(u);
-    } else {
-      force.append("(").append(MechmlText.number(law.gain())).append(")*").append(u);
-      List<Double> bias = law.bias();
-      double constant = bias.get(0) + bias.get(1) * offset;
-      if (constant != 0) {
-        force.append(" + (").append(MechmlText.number(constant)).append(")");
-      }
-      for (int i = 1; i < 3; i++) {
-        if (bias.get(i) != 0) {
-          force.append(" + (").append(MechmlText.number(bias.get(i))).append(")*(");
-          force.append(MechmlText.sum(moments, i == 1 ? ".q" : ".v")).append(")");
-        }
-      }
-    }
+    String force = force(law, way, u);
     Optional<List<Double>> limits = range(actuator, "force");
-    String whole = limits.map(r -> clamped(force.toString(), r)).orElse("(" + force + ")");
-    moments.forEach(
-        (joint, factor) ->
-            sums.computeIfAbsent(joint, key -> new Sum(actuator, new ArrayList<>()))
-                .parts()
-                .add(factor == 1 ? whole : "(" + MechmlText.number(factor) + ")*" + whole));
+    way.act(actuator, name, limits.map(r -> clamped(force, r)).orElse("(" + force + ")"));
+  }
+
+  /** Returns the rate of an integral that its bounds hold back. */
+  private static String bounded(String integral, String rate, Optional<List<Double>> bounds) {
+    if (bounds.isEmpty()) {
+      return rate;
+    }
+    List<String> ends =
+        bounds.get().stream()
+            .map(
+                end ->
+                    "("
+                        + MechmlText.number(end)
+                        + " - "
+                        + integral
+                        + ")/"
+                        + MechmlText.number(AT_BOUND))
+            .toList();
+    return "max(" + ends.get(0) + ", min(" + ends.get(1) + ", " + rate + "))";
+  }
+
+  private static String force(Law law, Transmission way, String u) {
+    List<String> parts = new ArrayList<>();
+    addAffine(parts, law.gain(), way, "*" + u);
+    addAffine(parts, law.bias(), way, "");
+    return parts.isEmpty() ? "0" : String.join(" + ", parts);
+  }
+
+  private static void addAffine(
+      List<String> parts, List<Double> factors, Transmission way, String behind) {
+    double constant = factors.get(0) + factors.get(1) * way.offset();
+    if (constant != 0) {
+      parts.add("(" + MechmlText.number(constant) + ")" + behind);
+    }
+    if (factors.get(1) != 0) {
+      parts.add("(" + MechmlText.number(factors.get(1)) + ")*(" + way.length() + ")" + behind);
+    }
+    if (factors.get(2) != 0) {
+      String velocity = way.velocity().orElseThrow();
+      parts.add("(" + MechmlText.number(factors.get(2)) + ")*(" + velocity + ")" + behind);
+    }
   }
 
   private Optional<List<Double>> range(Element actuator, String what) {
@@ -240,57 +510,78 @@ final class MjcfActuators {
       return Optional.empty();
     }
     List<Double> none = List.of(0.0, 0.0, 0.0);
-    switch (actuator.name()) {
-      case "motor" -> {
-        return Optional.of(new Law(1, none));
-      }
-      case "position" -> {
-        double kp = numbers.optional(actuator, "kp", 1);
-        double kv = numbers.optional(actuator, "kv", 0);
-        double ratio = numbers.optional(actuator, "dampratio", 0);
-        double time = numbers.optional(actuator, "timeconst", 0);
-        return Optional.of(new Law(kp, List.of(0.0, -kp, -kv), ratio, time));
-      }
+    return switch (actuator.name()) {
+      case "motor" -> Optional.of(new Law(1, none));
+      case "position" ->
+          Optional.of(servo(actuator).delayed(numbers.optional(actuator, "timeconst", 0)));
+      case "intvelocity" -> Optional.of(servo(actuator).integrated());
       case "velocity" -> {
         double kv = numbers.optional(actuator, "kv", 1);
-        return Optional.of(new Law(kv, List.of(0.0, 0.0, -kv)));
+        yield Optional.of(new Law(kv, List.of(0.0, 0.0, -kv)));
       }
       case "damper" -> {
-        return Optional.of(new Law(numbers.optional(actuator, "kv", 1), none));
+        double kv = numbers.optional(actuator, "kv", 1);
+        yield Optional.of(new Law(List.of(0.0, 0.0, -kv), none, 0, Activation.NONE, 0));
       }
-      default -> {
-        return general(actuator);
+      case "cylinder" -> {
+        double area = numbers.optional(actuator, "area", 1);
+        if (actuator.attribute("diameter").isPresent()) {
+          double diameter = numbers.optional(actuator, "diameter", 0);
+          area = Math.PI / 4 * diameter * diameter;
+        }
+        yield Optional.of(
+            new Law(area, three(actuator, "bias"))
+                .delayed(numbers.optional(actuator, "timeconst", 1)));
       }
-    }
+      default -> general(actuator);
+    };
+  }
+
+  private Law servo(Element actuator) {
+    double kp = numbers.optional(actuator, "kp", 1);
+    double kv = numbers.optional(actuator, "kv", 0);
+    return new Law(kp, List.of(0.0, -kp, -kv)).by(numbers.optional(actuator, "dampratio", 0));
   }
 
   private Optional<Law> general(Element actuator) {
     String gain = actuator.attribute("gaintype").orElse("fixed");
     String bias = actuator.attribute("biastype").orElse("none");
     String dynamics = actuator.attribute("dyntype").orElse("none");
-    boolean filtered = dynamics.equals("filter") || dynamics.equals("filterexact");
-    if (!gain.equals("fixed")
+    if (!Set.of("fixed", "affine").contains(gain)
         || !Set.of("none", "affine").contains(bias)
-        || !(filtered || dynamics.equals("none"))) {
+        || !Set.of("none", "filter", "filterexact", "integrator").contains(dynamics)) {
       return Optional.empty();
     }
     List<Double> dynamic = list(actuator, "dynprm");
-    double time = filtered ? (dynamic.isEmpty() ? 1 : dynamic.get(0)) : 0;
-    List<Double> prm = new ArrayList<>(list(actuator, "biasprm"));
-    while (prm.size() < 3) {
-      prm.add(0.0);
-    }
     List<Double> gains = list(actuator, "gainprm");
+    List<Double> prm = bias.equals("affine") ? three(actuator, "biasprm") : List.of(0.0, 0.0, 0.0);
     double factor = gains.isEmpty() ? 1 : gains.get(0);
-    if (!bias.equals("affine")) {
-      return Optional.of(new Law(factor, List.of(0.0, 0.0, 0.0), 0, time));
-    }
+    List<Double> whole = new ArrayList<>(three(actuator, "gainprm"));
+    whole.set(0, factor);
+    List<Double> taken = gain.equals("affine") ? whole : List.of(factor, 0.0, 0.0);
     // In a servo, whose gain is minus its stiffness, a positive damping is a damping ratio.
-    boolean servo = factor == -prm.get(1) && prm.get(2) > 0;
+    boolean servo = gain.equals("fixed") && factor == -prm.get(1) && prm.get(2) > 0;
+    Law law =
+        new Law(
+            taken,
+            servo ? List.of(prm.get(0), prm.get(1), 0.0) : prm,
+            servo ? prm.get(2) : 0,
+            Activation.NONE,
+            0);
     return Optional.of(
-        servo
-            ? new Law(factor, List.of(prm.get(0), prm.get(1), 0.0), prm.get(2), time)
-            : new Law(factor, prm.subList(0, 3), 0, time));
+        switch (dynamics) {
+          case "filter", "filterexact" -> law.delayed(dynamic.isEmpty() ? 1 : dynamic.get(0));
+          case "integrator" -> law.integrated();
+          default -> law;
+        });
+  }
+
+  private List<Double> three(Element actuator, String name) {
+    List<Double> all = new ArrayList<>(list(actuator, name));
+    while (all.size() < 3) {
+      all.add(0.0);
+    }
+    return List.copyOf(all.subList(0, 3));
   }
 
   private List<Double> list(Element actuator, String name) {

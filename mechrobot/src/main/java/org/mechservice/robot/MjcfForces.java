@@ -21,7 +21,9 @@ import org.mechservice.robot.Robot.Frame;
 import org.mechservice.robot.Robot.Freedom;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Loop;
+import org.mechservice.robot.Robot.Mark;
 import org.mechservice.robot.Robot.PointSpring;
+import org.mechservice.robot.Robot.Stop;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -41,13 +43,14 @@ final class MjcfForces {
   record Site(String link, Frame frame) {}
 
   /**
-   * A tendon over joints: its length is a sum of positions.
+   * A tendon over joints, whose length is a sum of positions, or over sites.
    *
-   * @param terms factors by joint
-   * @param start its length where all coordinates are zero
+   * @param terms factors by joint; empty if it is over sites
+   * @param start its length where all coordinates are zero, as far as the terms do not count it
    * @param angle whether it is an angle
+   * @param line over sites
    */
-  record Tendon(Map<String, Double> terms, double start, boolean angle) {}
+  record Tendon(Map<String, Double> terms, double start, boolean angle, Optional<MjcfLine> line) {}
 
   /** MuJoCo's mark of a length that it takes itself. */
   private static final double AUTOMATIC = -1;
@@ -61,11 +64,14 @@ final class MjcfForces {
   private final Diagnostics diagnostics;
   private final ImportLosses losses;
   private final MjcfActuators actuators;
+  private final RobotInertia inertia;
   private final List<Loop> loops = new ArrayList<>();
   private final List<Coupling> couplings = new ArrayList<>();
   private final List<Force> forces = new ArrayList<>();
   private final Set<String> constraintNames = new HashSet<>();
   private final Set<String> forceNames = new HashSet<>();
+  private final Set<String> lineNames = new HashSet<>();
+  private final Set<MjcfLine> marked = new HashSet<>();
   private final Set<Element> done = new HashSet<>();
 
   MjcfForces(
@@ -86,7 +92,8 @@ final class MjcfForces {
     this.numbers = numbers;
     this.diagnostics = diagnostics;
     this.losses = losses;
-    actuators = new MjcfActuators(this.joints, references, inertia, numbers, losses);
+    this.inertia = inertia;
+    actuators = new MjcfActuators(this.joints, sites, references, inertia, numbers, losses);
   }
 
   List<Loop> loops() {
@@ -123,8 +130,9 @@ final class MjcfForces {
     }
     if (options.motors()) {
       for (Element actuator : scope.file().all("actuator")) {
-        if (isPart(scope, actuator, whole)) {
-          actuators.read(scope, actuator, tendons);
+        int group = (int) numbers.optional(actuator, "group", 0);
+        if (isPart(scope, actuator, whole) && !options.silent().contains(group)) {
+          actuators.read(scope, actuator, tendons, this::mark);
         }
       }
     }
@@ -338,7 +346,12 @@ final class MjcfForces {
   private void readTendons(MjcfReader.Scope scope, Element equality, Map<String, Tendon> tendons) {
     Optional<Tendon> follower = tendon(scope, equality, "tendon1", tendons);
     Optional<Tendon> other = tendon(scope, equality, "tendon2", tendons);
-    if (follower.isEmpty() || (other.isEmpty() && equality.attribute("tendon2").isPresent())) {
+    boolean overSites =
+        follower.filter(one -> one.line().isPresent()).isPresent()
+            || other.filter(one -> one.line().isPresent()).isPresent();
+    if (overSites
+        || follower.isEmpty()
+        || (other.isEmpty() && equality.attribute("tendon2").isPresent())) {
       losses.motion(equality, "it is left out: only tendons over joints are read");
       return;
     }
@@ -382,46 +395,94 @@ final class MjcfForces {
   }
 
   private void readTendon(MjcfReader.Scope scope, Element tendon, Map<String, Tendon> tendons) {
-    boolean limited =
-        options.limits()
-            && !tendon.attribute("limited").orElse("auto").equals("false")
-            && tendon.attribute("range").isPresent();
-    if (limited) {
-      losses.motion(tendon, "its range is left out");
-    }
     if (options.friction() && numbers.optional(tendon, "frictionloss", 0) != 0) {
       losses.motion(tendon, "its frictionloss is left out");
     }
     double stiffness = options.springs() ? first(tendon, "stiffness") : 0;
     double damping = options.dampers() ? first(tendon, "damping") : 0;
-    List<Double> rest =
-        tendon
-            .attribute("springlength")
-            .map(text -> numbers.read(tendon, "springlength", text, 1, 2))
-            .orElse(List.of(AUTOMATIC));
-    if (tendon.name().equals("fixed")) {
-      Map<String, Double> terms = new LinkedHashMap<>();
-      double start = 0;
-      boolean angle = true;
-      for (Element part : tendon.children("joint")) {
-        Optional<Joint> joint = single(scope, part, part.attribute("joint").orElse(""));
-        if (joint.isEmpty()) {
-          return;
-        }
-        double factor = numbers.required(part, "coef");
-        terms.merge(joint.get().name(), factor, Double::sum);
-        start += factor * references.getOrDefault(joint.get().name(), 0.0);
-        angle &= joint.get().type() != Freedom.PRISMATIC;
+    Optional<List<Double>> range = range(scope, tendon);
+    Optional<Tendon> read =
+        tendon.name().equals("fixed") ? overJoints(scope, tendon) : overSites(scope, tendon);
+    if (read.isEmpty()) {
+      if (tendon.name().equals("spatial") && (stiffness != 0 || damping != 0)) {
+        losses.motion(tendon, "its spring and damper are left out: it goes around shapes");
       }
-      Tendon read = new Tendon(terms, start, angle);
-      tendon.attribute("name").ifPresent(name -> tendons.put(scope.named(name), read));
-      addSpring(tendon, read, stiffness, damping, rest);
+      if (tendon.name().equals("spatial") && range.isPresent()) {
+        losses.motion(tendon, "its range is left out: it goes around shapes");
+      }
       return;
     }
-    if (stiffness == 0 && damping == 0) {
-      return;
+    tendon.attribute("name").ifPresent(name -> tendons.put(scope.named(name), read.get()));
+    addSpring(tendon, read.get(), stiffness, damping);
+    range.ifPresent(ends -> addLimits(tendon, read.get(), ends));
+  }
+
+  private Optional<List<Double>> range(MjcfReader.Scope scope, Element tendon) {
+    String limited = tendon.attribute("limited").orElse("auto");
+    boolean holds =
+        options.limits()
+            && (limited.equals("true")
+                || (limited.equals("auto") && scope.compiler().autolimits()));
+    return tendon
+        .attribute("range")
+        .filter(text -> holds)
+        .map(text -> numbers.read(tendon, "range", text, 2, 2));
+  }
+
+  private Optional<Tendon> overJoints(MjcfReader.Scope scope, Element tendon) {
+    Map<String, Double> terms = new LinkedHashMap<>();
+    double start = 0;
+    boolean angle = true;
+    for (Element part : tendon.children("joint")) {
+      Optional<Joint> joint = single(scope, part, part.attribute("joint").orElse(""));
+      if (joint.isEmpty()) {
+        return Optional.empty();
+      }
+      double factor = numbers.required(part, "coef");
+      terms.merge(joint.get().name(), factor, Double::sum);
+      start += factor * references.getOrDefault(joint.get().name(), 0.0);
+      angle &= joint.get().type() != Freedom.PRISMATIC;
     }
-    addPointSpring(scope, tendon, stiffness, damping, rest);
+    return Optional.of(new Tendon(terms, start, angle, Optional.empty()));
+  }
+
+  /** Returns a tendon that goes straight from site to site; empty if it goes around shapes. */
+  private Optional<Tendon> overSites(MjcfReader.Scope scope, Element tendon) {
+    MjcfLine line = new MjcfLine(tendon, made(tendon, "tendon", lineNames));
+    List<Site> stretch = new ArrayList<>();
+    double factor = 1;
+    for (Element part : tendon.children()) {
+      switch (part.name()) {
+        case "site" -> {
+          String name = part.attribute("site").orElse("");
+          Site site = sites.get(scope.named(name));
+          if (site == null) {
+            unknown(part, "site", name, sites.keySet());
+            return Optional.empty();
+          }
+          stretch.add(site);
+        }
+        case "pulley" -> {
+          line.add(stretch, factor);
+          stretch.clear();
+          double divisor = numbers.required(part, "divisor");
+          if (!(divisor > 0)) {
+            numbers.contradiction(part, "divisor is " + divisor + "; it must be positive");
+            return Optional.empty();
+          }
+          factor = 1 / divisor;
+        }
+        default -> {
+          return Optional.empty();
+        }
+      }
+    }
+    line.add(stretch, factor);
+    return Optional.of(new Tendon(Map.of(), 0, false, Optional.of(line)));
+  }
+
+  private Vector3 place(Mark mark) {
+    return world(new Site(mark.link(), new Frame(mark.at(), Rotation.IDENTITY))).at();
   }
 
   private double first(Element element, String name) {
@@ -436,26 +497,88 @@ final class MjcfForces {
     return read.get(0);
   }
 
-  private void addSpring(
-      Element element, Tendon tendon, double stiffness, double damping, List<Double> lengths) {
-    // -1: the length where all joints are at springref.
-    double free = 0;
-    for (Map.Entry<String, Double> term : tendon.terms().entrySet()) {
-      Joint joint = joints.get(term.getKey());
-      free += joint == null ? 0 : term.getValue() * joint.coordinate().freePosition();
-    }
+  private void addSpring(Element element, Tendon tendon, double stiffness, double damping) {
+    List<Double> lengths =
+        element
+            .attribute("springlength")
+            .map(text -> numbers.read(element, "springlength", text, 1, 2))
+            .orElse(List.of(AUTOMATIC));
     boolean given = lengths.get(0) != AUTOMATIC;
-    double low = given ? lengths.get(0) - tendon.start() : free;
+    double low = given ? lengths.get(0) - tendon.start() : free(element, tendon, stiffness);
     double high = given && lengths.size() > 1 ? lengths.get(1) - tendon.start() : low;
     boolean slack = high > low;
+    List<Mark> ends = tendon.line().map(MjcfLine::marks).orElse(List.of());
+    if (ends.size() == 2 && !slack && (stiffness != 0 || damping != 0)) {
+      forces.add(
+          new PointSpring(
+              element,
+              made(element, "tendon", forceNames),
+              ends.get(0).link(),
+              ends.get(0).at(),
+              ends.get(1).link(),
+              ends.get(1).at(),
+              stiffness,
+              damping,
+              low));
+      return;
+    }
     if ((slack || stiffness == 0) && damping != 0) {
       add(element, tendon, "damper", 0, damping, 0, "both");
     }
     if (slack && stiffness != 0) {
       add(element, tendon, "spring", stiffness, 0, high, "tension");
-      add(element, tendon, "spring", stiffness, 0, low, "compression");
+      if (tendon.line().isEmpty() || low > 0) {
+        add(element, tendon, "spring", stiffness, 0, low, "compression");
+      }
     } else if (stiffness != 0) {
       add(element, tendon, "spring", stiffness, damping, low, "both");
+    }
+  }
+
+  /** Returns the length where all joints are at the free positions of their springs. */
+  private double free(Element element, Tendon tendon, double stiffness) {
+    double free = 0;
+    for (Map.Entry<String, Double> term : tendon.terms().entrySet()) {
+      Joint joint = joints.get(term.getKey());
+      free += joint == null ? 0 : term.getValue() * joint.coordinate().freePosition();
+    }
+    if (tendon.line().isPresent()) {
+      boolean moved =
+          joints.values().stream().anyMatch(joint -> joint.coordinate().freePosition() != 0);
+      if (moved && stiffness != 0) {
+        losses.motion(
+            element,
+            "its free length is that in the pose of the file: springref of joints is left out");
+      }
+      free = tendon.line().get().length(this::place);
+    }
+    return free;
+  }
+
+  /** Adds the limits of a tendon: springs that act beyond its range, as stops of joints do. */
+  private void addLimits(Element element, Tendon tendon, List<Double> range) {
+    List<Double> given =
+        element
+            .attribute("solreflimit")
+            .map(text -> numbers.read(element, "solreflimit", text, 2, 2))
+            .orElse(MjcfJointReader.SOLREF);
+    Stop stop = Stop.of(given.get(0), given.get(1));
+    if (stop.isAssumed()) {
+      stop = Stop.of(MjcfJointReader.SOLREF.get(0), MjcfJointReader.SOLREF.get(1));
+    }
+    double held =
+        tendon
+            .line()
+            .map(line -> inertia.free(line.pulls(this::place)))
+            .orElseGet(() -> inertia.free(tendon.terms()));
+    double m = held > 0 ? held : 1;
+    double stiffness = m / Math.pow(stop.time() * stop.ratio(), 2);
+    double damping = 2 * m / stop.time();
+    double low = range.get(0) - tendon.start();
+    double high = range.get(1) - tendon.start();
+    add(element, tendon, "upper limit", stiffness, damping, high, "tension");
+    if (tendon.line().isEmpty() || low > 0) {
+      add(element, tendon, "lower limit", stiffness, damping, low, "compression");
     }
   }
 
@@ -468,43 +591,24 @@ final class MjcfForces {
       double rest,
       String side) {
     String name = made(element, "tendon " + what, forceNames);
+    tendon.line().ifPresent(this::mark);
     forces.add(
         new CouplingSpring(
-            element, name, tendon.angle(), tendon.terms(), stiffness, damping, rest, side));
-  }
-
-  private void addPointSpring(
-      MjcfReader.Scope scope,
-      Element tendon,
-      double stiffness,
-      double damping,
-      List<Double> given) {
-    List<Element> parts = tendon.children();
-    List<Site> ends =
-        parts.stream()
-            .filter(part -> part.name().equals("site"))
-            .flatMap(
-                part ->
-                    Optional.ofNullable(sites.get(scope.named(part.attribute("site").orElse(""))))
-                        .stream())
-            .toList();
-    if (parts.size() != 2 || ends.size() != 2 || given.size() > 1) {
-      losses.motion(
-          tendon,
-          "its spring and damper are left out: only straight tendons between two sites are read");
-      return;
-    }
-    double now = world(ends.get(0)).at().minus(world(ends.get(1)).at()).norm();
-    forces.add(
-        new PointSpring(
-            tendon,
-            made(tendon, "tendon", forceNames),
-            ends.get(0).link(),
-            ends.get(0).frame().at(),
-            ends.get(1).link(),
-            ends.get(1).frame().at(),
+            element,
+            name,
+            tendon.angle(),
+            tendon.terms(),
+            tendon.line().map(MjcfLine::length),
             stiffness,
             damping,
-            given.get(0) == AUTOMATIC ? now : given.get(0)));
+            rest,
+            side));
+  }
+
+  /** Adds the points that expressions of a line name, once. */
+  private void mark(MjcfLine line) {
+    if (marked.add(line)) {
+      forces.addAll(line.marks());
+    }
   }
 }

@@ -25,7 +25,7 @@ final class MjcfJointReader {
   private static final Vector3 Z = new Vector3(0, 0, 1);
 
   /** MuJoCo's time constant and damping ratio of stops. */
-  private static final List<Double> SOLREF = List.of(0.02, 1.0);
+  static final List<Double> SOLREF = List.of(0.02, 1.0);
 
   private final MjcfCompiler compiler;
   private final MjcfOptions options;
@@ -187,14 +187,6 @@ final class MjcfJointReader {
             .attribute("solreflimit")
             .map(text -> numbers.read(element, "solreflimit", text, 2, 2))
             .orElse(SOLREF);
-    double time = given.get(0);
-    double ratio = given.get(1);
-    if (time > 0 && ratio > 0) {
-      return new Stop(time, ratio, 0, 0);
-    }
-    // Negative numbers are stiffness and damping for 1 kg or 1 kg·m².
-    double k = -time;
-    double b = -ratio;
-    return k > 0 && b > 0 ? new Stop(2 / b, b / (2 * Math.sqrt(k)), 0, 0) : Stop.ASSUMED;
+    return Stop.of(given.get(0), given.get(1));
   }
 }

@@ -27,21 +27,25 @@ final class MjcfKeyframe {
   private final List<Joint> joints;
   private final Map<String, Double> references;
   private final RobotNumbers numbers;
+  private final boolean alignsFree;
   private final Diagnostics diagnostics;
   private final ImportLosses losses;
 
   /**
    * @param joints in file order
    * @param references positions that the file's pose counts as, by joint, rad or m
+   * @param alignsFree whether free joints are aligned that do not say so themselves
    */
   MjcfKeyframe(
       List<Joint> joints,
       Map<String, Double> references,
+      boolean alignsFree,
       RobotNumbers numbers,
       Diagnostics diagnostics,
       ImportLosses losses) {
     this.joints = joints;
     this.references = references;
+    this.alignsFree = alignsFree;
     this.numbers = numbers;
     this.diagnostics = diagnostics;
     this.losses = losses;
@@ -95,7 +99,10 @@ final class MjcfKeyframe {
     for (Joint joint : joints) {
       int countQ = count(joint, true);
       int countV = count(joint, false);
-      if (countQ > 0) {
+      if (joint.type() == Freedom.FLOATING && isAligned(joint)) {
+        losses.motion(
+            key, "the place of " + Quoted.of(joint.name()) + " is left out: its joint is aligned");
+      } else if (countQ > 0) {
         int fromQ = atQ;
         int fromV = atV;
         Optional<List<Double>> own = q.map(all -> all.subList(fromQ, fromQ + countQ));
@@ -106,6 +113,13 @@ final class MjcfKeyframe {
       atV += countV;
     }
     return start;
+  }
+
+  /** Returns whether MuJoCo counts a free joint from principal axes, which a key is in then. */
+  private boolean isAligned(Joint joint) {
+    String own = joint.element().attribute("align").orElse("auto");
+    boolean last = joints.stream().noneMatch(other -> other.parent().equals(joint.child()));
+    return last && (own.equals("true") || (own.equals("auto") && alignsFree));
   }
 
   private Optional<List<Double>> list(Element key, String name, boolean positions) {

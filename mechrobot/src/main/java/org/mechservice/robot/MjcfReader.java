@@ -65,10 +65,13 @@ final class MjcfReader {
   /** Time constants and damping ratios from which MuJoCo makes springs, by joint. */
   private final Map<String, List<Double>> springDampers = new LinkedHashMap<>();
 
+  /** Shapes that feel the medium by themselves, one for each link that has any. */
+  private final Map<String, Element> ellipsoids = new HashMap<>();
+
   private final List<Scope> scopes = new ArrayList<>();
   private final Set<String> uses = new HashSet<>();
   private Optional<Element> touching = Optional.empty();
-  private MjcfOptions options = new MjcfOptions(Vector3.ZERO, true, true, true, true, true, true);
+  private MjcfOptions options = MjcfOptions.NONE;
   private int attached;
   private long replicas;
 
@@ -147,22 +150,26 @@ final class MjcfReader {
           .ifPresent(
               inertial ->
                   forces.add(
-                      new BodyForce(
+                      BodyForce.constant(
                           link.element(),
                           link.name() + " gravcomp",
                           link.name(),
                           inertial.frame().at(),
                           options.gravity().times(-factor * inertial.mass()))));
     }
+    addMedium(whole);
     armMotors();
     RobotInertia inertia = new RobotInertia(whole, joints);
     springDampers.forEach((joint, values) -> makeSpring(joint, values, inertia));
+    turnBack();
     MjcfForces more =
         new MjcfForces(
             joints, inWorld, sites, references, inertia, options, numbers, diagnostics, losses);
     scopes.forEach(more::read);
     forces.addAll(more.forces());
-    MjcfKeyframe start = new MjcfKeyframe(joints, references, numbers, diagnostics, losses);
+    boolean alignsFree = compiler.setting("alignfree").filter("true"::equals).isPresent();
+    MjcfKeyframe start =
+        new MjcfKeyframe(joints, references, alignsFree, numbers, diagnostics, losses);
     return new Robot(
         RobotFormat.MJCF,
         root.attribute("model").orElse("robot"),
@@ -173,6 +180,19 @@ final class MjcfReader {
         more.couplings(),
         forces,
         start.read(root, keyframe));
+  }
+
+  private void addMedium(List<Link> whole) {
+    MjcfMedium medium = new MjcfMedium(options);
+    for (Link link : whole) {
+      Element ellipsoid = ellipsoids.get(link.name());
+      List<Force> around = medium.around(link);
+      if (ellipsoid == null) {
+        forces.addAll(around);
+      } else if (!around.isEmpty()) {
+        losses.motion(ellipsoid, "the medium around an ellipsoid is left out");
+      }
+    }
   }
 
   /** Gives joints the inertia of their motors beside their own, with the square of the gear. */
@@ -229,6 +249,26 @@ final class MjcfReader {
         double stiffness = options.springs() ? held / (time * time * ratio * ratio) : 0;
         double damping = options.dampers() ? 2 * held / time : 0;
         joints.set(i, joint.with(joint.coordinate().with(stiffness, damping)));
+      }
+    }
+  }
+
+  /** Makes springs between two links of those of balls, which have no single coordinate. */
+  private void turnBack() {
+    for (int i = 0; i < joints.size(); i++) {
+      Joint joint = joints.get(i);
+      double stiffness = joint.coordinate().stiffness();
+      if (joint.type() == Freedom.SPHERICAL && stiffness != 0) {
+        forces.add(
+            new TurningSpring(
+                joint.element(),
+                joint.name() + " spring",
+                joint.parent(),
+                joint.child(),
+                joint.place().frame(),
+                joint.place().point(),
+                stiffness));
+        joints.set(i, joint.with(joint.coordinate().with(0, joint.coordinate().damping())));
       }
     }
   }
@@ -344,30 +384,14 @@ final class MjcfReader {
   }
 
   private void attach(Scope scope, Element attach, String parent, Frame outer) {
-    String name = attach.attribute("model").orElse("");
-    Optional<Element> asset =
-        scope.file().all("asset").stream()
-            .filter(one -> one.name().equals("model"))
-            .filter(
-                one ->
-                    one.attribute("name").or(() -> one.attribute("file")).orElse("").equals(name))
-            .findFirst();
-    if (asset.isEmpty()) {
-      unknown(attach, "model", name, Set.of());
+    Optional<MjcfFile> attachable =
+        attach.attribute("model").isPresent()
+            ? model(scope, attach)
+            : Optional.of(scope.file()); // a part of the file itself
+    if (attachable.isEmpty()) {
       return;
     }
-    String fileName = asset.get().attribute("file").orElse("");
-    Optional<Element> root = files.read(asset.get(), fileName, scope.file().folder(), diagnostics);
-    if (root.isEmpty()) {
-      return;
-    }
-    Path folder =
-        files
-            .find(fileName, scope.file().folder())
-            .flatMap(found -> Optional.ofNullable(found.getParent()))
-            .orElse(scope.file().folder());
-    MjcfFile model = MjcfFile.of(root.get(), files, folder, diagnostics, losses);
-    FormatTable.of(RobotFormat.MJCF).reportLosses(model.root(), losses);
+    MjcfFile model = attachable.get();
     Scope inner =
         scope(model, scope.prefix() + attach.attribute("prefix").orElse(""), scope.suffix());
     if (attached == MOST_ATTACHED) {
@@ -378,6 +402,45 @@ final class MjcfReader {
     attached++;
     attachPart(inner, attach, parent, outer);
     attached--;
+  }
+
+  /**
+   * Returns the model that is asked for; empty, with a message, if there is none. One without a
+   * name among the assets has that of its own file.
+   */
+  private Optional<MjcfFile> model(Scope scope, Element attach) {
+    String wished = attach.attribute("model").orElse("");
+    Path around = scope.file().folder();
+    Set<String> known = new HashSet<>();
+    for (Element asset : scope.file().all("asset")) {
+      if (!asset.name().equals("model")) {
+        continue;
+      }
+      String fileName = asset.attribute("file").orElse("");
+      Optional<String> given = asset.attribute("name");
+      if (given.isPresent() && !given.get().equals(wished)) {
+        known.add(given.get());
+        continue;
+      }
+      Optional<Element> root = files.read(asset, fileName, around, diagnostics);
+      if (root.isEmpty()) {
+        return Optional.empty();
+      }
+      String own = given.or(() -> root.get().attribute("model")).orElse("");
+      if (own.equals(wished) || fileName.equals(wished)) {
+        Path folder =
+            files
+                .find(fileName, around)
+                .flatMap(found -> Optional.ofNullable(found.getParent()))
+                .orElse(around);
+        MjcfFile model = MjcfFile.of(root.get(), files, folder, diagnostics, losses);
+        FormatTable.of(RobotFormat.MJCF).reportLosses(model.root(), losses);
+        return Optional.of(model);
+      }
+      known.add(own);
+    }
+    unknown(attach, "model", wished, known);
+    return Optional.empty();
   }
 
   /** Attaches the body or frame that is asked for, or the whole world of the model. */
@@ -444,6 +507,11 @@ final class MjcfReader {
     List<HeldJoint> held = new ArrayList<>();
     List<MjcfGeometry.Held> shapes = new ArrayList<>();
     collect(scope, body, Frame.SAME, held, shapes);
+    shapes.stream()
+        .map(MjcfGeometry.Held::element)
+        .filter(one -> one.attribute("fluidshape").filter("ellipsoid"::equals).isPresent())
+        .findFirst()
+        .ifPresent(one -> ellipsoids.put(name, one));
     connect(scope, body, name, parent, frame, held);
     links.add(new Link(body, name, inertia(scope, body, shapes), looks(scope, shapes)));
     readInside(scope, body, name, Frame.SAME);
@@ -588,18 +656,6 @@ final class MjcfReader {
         .attribute("springdamper")
         .map(text -> numbers.read(element, "springdamper", text, 2, 2))
         .ifPresent(values -> springDampers.put(name, values));
-    if (joint.type() == Freedom.SPHERICAL && joint.coordinate().stiffness() != 0) {
-      forces.add(
-          new TurningSpring(
-              element,
-              name + " spring",
-              above,
-              below,
-              step,
-              joint.place().point(),
-              joint.coordinate().stiffness()));
-      joint = joint.with(joint.coordinate().with(0, joint.coordinate().damping()));
-    }
     joints.add(joint);
   }
 

@@ -335,6 +335,19 @@ record Robot(
     /** What the import assumes where a format defines nothing. */
     static final Stop ASSUMED = new Stop(0, 0, 0, 0);
 
+    /**
+     * Returns the stop that MuJoCo's two numbers describe: time constant and damping ratio, or,
+     * both negative, stiffness and damping for 1 kg or 1 kg·m².
+     */
+    static Stop of(double first, double second) {
+      if (first > 0 && second > 0) {
+        return new Stop(first, second, 0, 0);
+      }
+      double k = -first;
+      double b = -second;
+      return k > 0 && b > 0 ? new Stop(2 / b, b / (2 * Math.sqrt(k)), 0, 0) : ASSUMED;
+    }
+
     boolean isAssumed() {
       return time == 0 && stiffness == 0;
     }
@@ -410,19 +423,57 @@ record Robot(
       implements Force {}
 
   /**
-   * A constant force on a link.
+   * A force on a link.
    *
    * @param at where it acts, in the link's axes, m
-   * @param force in world axes, N
+   * @param turning whether force and torque are in the link's axes, or else in those of the world
+   * @param force its three components, N, in MechML
+   * @param torque its three components, N·m, in MechML; empty if there is none
    */
-  record BodyForce(Element element, String name, String link, Vector3 at, Vector3 force)
-      implements Force {}
+  record BodyForce(
+      Element element,
+      String name,
+      String link,
+      Vector3 at,
+      boolean turning,
+      List<String> force,
+      List<String> torque)
+      implements Force {
+    BodyForce {
+      force = List.copyOf(force);
+      torque = List.copyOf(torque);
+    }
+
+    /** Returns a constant force in world axes, N. */
+    static BodyForce constant(
+        Element element, String name, String link, Vector3 at, Vector3 force) {
+      List<String> components =
+          List.of(
+              MechmlText.number(force.x()),
+              MechmlText.number(force.y()),
+              MechmlText.number(force.z()));
+      return new BodyForce(element, name, link, at, false, components, List.of());
+    }
+  }
 
   /**
-   * A spring and damper along a sum of coordinates.
+   * A point of a link that expressions of forces name; it exerts nothing itself.
+   *
+   * @param at in the link's axes, m
+   */
+  record Mark(Element element, String name, String link, Vector3 at) implements Force {
+    /** Returns a component of its place or velocity in MechML, such as {@code x} or {@code vx}. */
+    String part(String component) {
+      return MechmlText.name(link) + "." + MechmlText.name(name) + "." + component;
+    }
+  }
+
+  /**
+   * A spring and damper along a sum of coordinates, or along an expression of positions.
    *
    * @param angle whether the sum is an angle, or else a length
-   * @param terms factors by joint
+   * @param terms factors by joint; empty if there is an expression
+   * @param expression in MechML
    * @param rest the sum at which the spring exerts nothing
    * @param side {@code both}, {@code tension} above rest only, or {@code compression} below it only
    */
@@ -431,6 +482,7 @@ record Robot(
       String name,
       boolean angle,
       Map<String, Double> terms,
+      Optional<String> expression,
       double stiffness,
       double damping,
       double rest,
@@ -479,14 +531,12 @@ record Robot(
   record Input(Element element, String name, String unit) implements Force {}
 
   /**
-   * A signal that follows another one with a delay of the first order.
+   * A quantity with a rate of its own, zero at the start.
    *
    * @param unit of its value
-   * @param followed the other one, in MechML
-   * @param time its time constant, s
+   * @param derivative its rate, in MechML
    */
-  record Filter(Element element, String name, String unit, String followed, double time)
-      implements Force {}
+  record State(Element element, String name, String unit, String derivative) implements Force {}
 
   /** Positions and velocities of a joint at the start, in the order of MechML. */
   record Start(List<Double> positions, List<Double> velocities) {}

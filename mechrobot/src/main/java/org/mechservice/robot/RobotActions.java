@@ -9,7 +9,6 @@ import org.mechservice.robot.Robot.BodyForce;
 import org.mechservice.robot.Robot.Coordinate;
 import org.mechservice.robot.Robot.Coupling;
 import org.mechservice.robot.Robot.CouplingSpring;
-import org.mechservice.robot.Robot.Filter;
 import org.mechservice.robot.Robot.Force;
 import org.mechservice.robot.Robot.Frame;
 import org.mechservice.robot.Robot.Freedom;
@@ -17,7 +16,9 @@ import org.mechservice.robot.Robot.Input;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.JointForce;
 import org.mechservice.robot.Robot.Loop;
+import org.mechservice.robot.Robot.Mark;
 import org.mechservice.robot.Robot.PointSpring;
+import org.mechservice.robot.Robot.State;
 import org.mechservice.robot.Robot.TurningSpring;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -70,13 +71,7 @@ final class RobotActions {
       boolean turned) {
     String own = name + " " + which;
     List<TagBuilder> all = frames.computeIfAbsent(link, key -> new ArrayList<>());
-    Vector3 at = frame.at();
-    all.add(
-        TagBuilder.of("point", from)
-            .set("name", own)
-            .set("x", at.x())
-            .set("y", at.y())
-            .set("z", at.z()));
+    addPoint(from, link, own, frame.at());
     TagBuilder end = TagBuilder.of(which, from, owner).set("name", link).set("point", own);
     if (turned) {
       all.add(vector(from, own + " z", frame.turn().apply(Z)));
@@ -84,6 +79,17 @@ final class RobotActions {
       end.set("vector", own + " z").set("vector2", own + " x");
     }
     return end;
+  }
+
+  private void addPoint(Element from, String link, String name, Vector3 at) {
+    frames
+        .computeIfAbsent(link, key -> new ArrayList<>())
+        .add(
+            TagBuilder.of("point", from)
+                .set("name", name)
+                .set("x", at.x())
+                .set("y", at.y())
+                .set("z", at.z()));
   }
 
   private static TagBuilder vector(Element from, String name, Vector3 v) {
@@ -119,20 +125,14 @@ final class RobotActions {
             TagBuilder.of("input", input.element())
                 .set("name", input.name())
                 .set("unit", input.unit()));
-      } else if (force instanceof Filter filter) {
+      } else if (force instanceof State state) {
         states.add(
-            TagBuilder.of("state", filter.element())
-                .set("name", filter.name())
-                .set(
-                    "derivative",
-                    "("
-                        + filter.followed()
-                        + " - "
-                        + MechmlText.name(filter.name())
-                        + ")/("
-                        + MechmlText.number(filter.time())
-                        + ")")
-                .set("unit", filter.unit()));
+            TagBuilder.of("state", state.element())
+                .set("name", state.name())
+                .set("derivative", state.derivative())
+                .set("unit", state.unit()));
+      } else if (force instanceof Mark mark) {
+        addPoint(mark.element(), mark.link(), mark.name(), mark.at());
       } else {
         forces.add(force(force));
       }
@@ -205,6 +205,7 @@ final class RobotActions {
               .set("c", one.damping())
               .set("rest", one.rest())
               .set("side", one.side());
+      one.expression().ifPresent(expression -> spring.set("expression", expression));
       addTerms(spring, from, one.terms());
       return spring;
     } else if (force instanceof TurningSpring one) {
@@ -251,20 +252,23 @@ final class RobotActions {
                   false));
     }
     BodyForce one = (BodyForce) force;
-    frames
-        .computeIfAbsent(one.link(), key -> new ArrayList<>())
-        .add(
-            TagBuilder.of("point", from)
-                .set("name", one.name())
-                .set("x", one.at().x())
-                .set("y", one.at().y())
-                .set("z", one.at().z()));
-    return TagBuilder.of("forceTorque", from)
-        .set("name", one.name())
-        .set("body", one.link())
-        .set("point", one.name())
-        .set("fx", one.force().x())
-        .set("fy", one.force().y())
-        .set("fz", one.force().z());
+    addPoint(from, one.link(), one.name(), one.at());
+    TagBuilder acting =
+        TagBuilder.of("forceTorque", from)
+            .set("name", one.name())
+            .set("body", one.link())
+            .set("point", one.name());
+    if (one.turning()) {
+      acting.set("frame", "body");
+    }
+    addComponents(acting, "f", one.force());
+    addComponents(acting, "t", one.torque());
+    return acting;
+  }
+
+  private static void addComponents(TagBuilder acting, String letter, List<String> components) {
+    for (int i = 0; i < components.size(); i++) {
+      acting.set(letter + "xyz".charAt(i), components.get(i));
+    }
   }
 }

@@ -77,7 +77,7 @@ final class RobotInertia {
   private final Map<String, Joint> above = new HashMap<>();
   private final Map<String, List<Integer>> ofJoint = new HashMap<>();
   private final List<Column> columns = new ArrayList<>();
-  private Optional<double[]> inverse = Optional.empty();
+  private Optional<double[][]> factor = Optional.empty();
 
   /**
    * @param links of the robot
@@ -195,14 +195,80 @@ final class RobotInertia {
     if (columns.size() > MOST || !ofJoint.containsKey(joint)) {
       return about(joint);
     }
-    double[] diagonal = inverse.orElseGet(this::invert);
-    inverse = Optional.of(diagonal);
-    double entry = diagonal.length == 0 ? 0 : diagonal[ofJoint.get(joint).get(0)];
-    return entry > 0 && Double.isFinite(entry) ? 1 / entry : about(joint);
+    double sum = 0;
+    List<Integer> own = ofJoint.getOrDefault(joint, List.of());
+    for (int i : own) {
+      double[] along = new double[columns.size()];
+      along[i] = 1;
+      sum += mobility(along);
+    }
+    return sum > 0 && Double.isFinite(sum) ? own.size() / sum : about(joint);
   }
 
-  /** Returns the diagonal of the inverse of the mass matrix; empty if it is singular. */
-  private double[] invert() {
+  /**
+   * Returns the inertia that a force along a sum of coordinates moves while all joints are free.
+   *
+   * @param terms factors by joint
+   * @return kg or kg·m²; 0 if it is not defined
+   */
+  double free(Map<String, Double> terms) {
+    double[] along = new double[columns.size()];
+    terms.forEach(
+        (joint, factor) -> ofJoint.getOrDefault(joint, List.of()).forEach(i -> along[i] += factor));
+    return inertia(along);
+  }
+
+  /**
+   * A point of a link that is pulled.
+   *
+   * @param at in the world, m
+   * @param direction and strength
+   */
+  record Pull(String link, Vector3 at, Vector3 direction) {}
+
+  /**
+   * Returns the inertia that pulls at points move together while all joints are free.
+   *
+   * @return kg; 0 if it is not defined
+   */
+  double free(List<Pull> pulls) {
+    double[] along = new double[columns.size()];
+    for (Pull pull : pulls) {
+      for (Joint joint = above.get(pull.link()); joint != null; joint = above.get(joint.parent())) {
+        for (int i : ofJoint.getOrDefault(joint.name(), List.of())) {
+          Motion motion = columns.get(i).motion();
+          Vector3 velocity = motion.slide().plus(motion.turn().cross(pull.at()));
+          along[i] += pull.direction().dot(velocity);
+        }
+      }
+    }
+    return inertia(along);
+  }
+
+  private double inertia(double[] along) {
+    double mobility = columns.size() > MOST ? 0 : mobility(along);
+    return mobility > 0 && Double.isFinite(mobility) ? 1 / mobility : 0;
+  }
+
+  /** Returns Jᵀ M⁻¹ J = |L⁻¹ J|² with M = L Lᵀ; 0 if the mass matrix is singular. */
+  private double mobility(double[] along) {
+    double[][] l = factor.orElseGet(this::factorise);
+    factor = Optional.of(l);
+    double[] x = new double[l.length];
+    double square = 0;
+    for (int i = 0; i < l.length; i++) {
+      double sum = along[i];
+      for (int k = 0; k < i; k++) {
+        sum -= l[i][k] * x[k];
+      }
+      x[i] = sum / l[i][i];
+      square += x[i] * x[i];
+    }
+    return square;
+  }
+
+  /** Returns the factor L of the mass matrix M = L Lᵀ; empty if it is singular. */
+  private double[][] factorise() {
     int n = columns.size();
     double[][] m = new double[n][n];
     for (int j = 0; j < n; j++) {
@@ -216,7 +282,6 @@ final class RobotInertia {
         joint = above.get(joint.parent());
       }
     }
-    // M = L Lᵀ, and the diagonal of M⁻¹ from the columns of L⁻¹.
     double[][] l = new double[n][n];
     for (int i = 0; i < n; i++) {
       for (int j = 0; j <= i; j++) {
@@ -225,23 +290,11 @@ final class RobotInertia {
           sum -= l[i][k] * l[j][k];
         }
         if (i == j && !(sum > 1e-12 * m[i][i])) {
-          return new double[0];
+          return new double[0][];
         }
         l[i][j] = i == j ? Math.sqrt(sum) : sum / l[j][j];
       }
     }
-    double[] diagonal = new double[n];
-    double[] x = new double[n];
-    for (int j = 0; j < n; j++) {
-      for (int i = j; i < n; i++) {
-        double sum = i == j ? 1 : 0;
-        for (int k = j; k < i; k++) {
-          sum -= l[i][k] * x[k];
-        }
-        x[i] = sum / l[i][i];
-        diagonal[j] += x[i] * x[i];
-      }
-    }
-    return diagonal;
+    return l;
   }
 }

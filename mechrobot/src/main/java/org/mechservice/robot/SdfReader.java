@@ -162,7 +162,7 @@ final class SdfReader {
       fixed.add(name);
     } else if (link.child("gravity").isPresent() && !isTrue(link.child("gravity"))) {
       forces.add(
-          new BodyForce(
+          BodyForce.constant(
               link,
               name + " without gravity",
               name,

@@ -51,6 +51,17 @@ final class ShapeMasses {
       return Optional.empty();
     }
     Vector3 centre = moment.times(1 / mass);
+    if (parts.size() == 1) {
+      // In the axes of the shape, which a medium around it feels where two moments are equal.
+      Part only = parts.get(0);
+      double m = mass;
+      return Optional.of(
+          new Inertial(
+              body,
+              new Frame(centre, only.frame().turn()),
+              m,
+              only.shape().moments().stream().map(x -> m * x).toList()));
+    }
     double[] sum = new double[6];
     for (Part part : parts) {
       addMoments(part, part.centre().minus(centre), sum);

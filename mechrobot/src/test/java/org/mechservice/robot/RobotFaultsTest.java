@@ -154,6 +154,81 @@ class RobotFaultsTest {
   }
 
   @Test
+  void modelWithoutANameAmongTheAssetsHasThatOfItsFile() throws IOException, MechmlException {
+    write("sub.xml", "<mujoco model='Arm'><worldbody>" + ARM + "</worldbody></mujoco>");
+    Path main =
+        write(
+            "main.xml",
+            "<mujoco><asset><model file='sub.xml'/></asset><worldbody>"
+                + "<attach model='Arm' body='arm' prefix='p_'/></worldbody></mujoco>");
+    MechmlModel whole = read("<mujoco><worldbody>" + ARM + "</worldbody></mujoco>").model();
+    assertSame(imported(main).model(), whole, 0.3, -0.2);
+  }
+
+  @Test
+  void partOfTheFileItselfIsAttached() throws MechmlException {
+    MechmlModel twice =
+        read("<mujoco><worldbody><frame name='f'>"
+                + ARM
+                + "</frame><frame pos='0 1 0'><attach frame='f' prefix='p_'/></frame>"
+                + "</worldbody></mujoco>")
+            .model();
+    double[] a = accelerations(twice, 0.3, 0.3, -0.2, -0.2);
+    assertThat(a[0]).isNotZero().isEqualTo(a[1]);
+  }
+
+  /**
+   * A mass of 2 kg hangs on a tendon at its upper end: it sinks by weight over stiffness, and the
+   * stiffness is mass over the square of time constant and damping ratio.
+   */
+  @ParameterizedTest
+  @ValueSource(strings = {"spatial", "fixed"})
+  void tendonIsHeldAtTheEndsOfItsRange(String kind) throws MechmlException {
+    String way =
+        kind.equals("spatial")
+            ? "<site site='top'/><site site='hook'/>"
+            : "<joint joint='j' coef='-1'/>";
+    String range = kind.equals("spatial") ? "0 0.5" : "-1 0";
+    RobotImport robot =
+        read(
+            "<mujoco><worldbody><site name='top' pos='0 0 1'/><body name='b' pos='0 0 0.5'>"
+                + "<joint name='j' type='slide' axis='0 0 1'/><inertial mass='2' pos='0 0 0'"
+                + " diaginertia='1 1 1'/><site name='hook'/></body></worldbody><tendon><"
+                + kind
+                + " range='"
+                + range
+                + "' solreflimit='0.1 0.5'>"
+                + way
+                + "</"
+                + kind
+                + "></tendon></mujoco>");
+    assertThat(codes(robot.losses())).doesNotContain("M-085");
+    double k = 2 / Math.pow(0.1 * 0.5, 2);
+    double sunk = 2 * 9.81 / k;
+    assertThat(accelerations(robot.model(), -sunk, 0)[0]).isCloseTo(0, within(1e-12));
+    assertThat(accelerations(robot.model(), 0.01, 0)[0]).isCloseTo(-9.81, within(1e-12));
+    assertThat(accelerations(robot.model(), -2 * sunk, 0)[0]).isCloseTo(9.81, within(1e-12));
+    double c = 2 * 2 / 0.1;
+    assertThat(accelerations(robot.model(), -sunk, -1e-3)[0])
+        .isCloseTo(c * 1e-3 / 2, within(1e-12));
+  }
+
+  @Test
+  void keyOfAnAlignedJointIsALoss() throws IOException, MechmlException {
+    Path file =
+        write(
+            "aligned.xml",
+            "<mujoco><worldbody><body><freejoint align='true'/><geom size='0.1' pos='1 0 0'/></body>"
+                + "</worldbody><keyframe><key name='k' qpos='0 0 0 1 0 0 0'/></keyframe></mujoco>");
+    RobotImport robot =
+        RobotImport.read(
+            file,
+            new ImportOptions(
+                Optional.empty(), Optional.of("k"), false, List.of(), Optional.empty()));
+    assertThat(codes(robot.losses())).contains("M-085");
+  }
+
+  @Test
   void modelThatAttachesItselfIsRefused() throws IOException {
     Path main =
         write(
