@@ -2,9 +2,7 @@ package org.mechservice.robot;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.document.Element;
@@ -53,25 +51,6 @@ final class UrdfWriter {
   private static final double ROUNDING = 1e-12;
 
   private static final Vector3 DOWN = new Vector3(0, 0, -1);
-
-  /**
-   * A linear expression of coordinates of joints.
-   *
-   * @param factors of the positions
-   */
-  private record Linear(double constant, Map<JointCoordinate, Double> factors) {
-    Linear plus(Linear other) {
-      Map<JointCoordinate, Double> sum = new HashMap<>(factors);
-      other.factors.forEach((of, factor) -> sum.merge(of, factor, Double::sum));
-      return new Linear(constant + other.constant, sum);
-    }
-
-    Linear times(double factor) {
-      Map<JointCoordinate, Double> scaled = new HashMap<>();
-      factors.forEach((of, old) -> scaled.put(of, old * factor));
-      return new Linear(constant * factor, scaled);
-    }
-  }
 
   private final MechmlModel model;
   private final Element file;
@@ -329,29 +308,30 @@ final class UrdfWriter {
 
   /** Takes a coupling of two coordinates; refuses everything else that closes a loop. */
   private void closure(LoopClosure closure) {
-    Optional<Linear> relation =
+    Optional<LinearRelation> relation =
         closure instanceof CoordinateClosure coupling
-            ? linear(coupling.relation())
+            ? LinearRelation.of(coupling.relation(), mechanism, this::isPosition)
             : Optional.empty();
     List<JointCoordinate> moved =
         relation
             .map(
                 r ->
-                    r.factors.keySet().stream()
+                    r.factors().keySet().stream()
+                        .map(one -> coordinate(one).orElseThrow())
                         .sorted(
                             Comparator.comparingInt(JointCoordinate::joint)
                                 .thenComparingInt(JointCoordinate::component))
                         .toList())
             .orElse(List.of());
     if (moved.size() == 2) {
-      Linear all = relation.orElseThrow();
+      LinearRelation all = relation.orElseThrow();
       // The coordinate with the factor 1 follows, as the import writes it; else the second.
-      boolean first = all.factors.getOrDefault(moved.get(0), 0.0) == 1.0;
+      boolean first = all.factor(new Expression.CoordinatePosition(moved.get(0))) == 1.0;
       JointCoordinate follower = moved.get(first ? 0 : 1);
       JointCoordinate other = moved.get(first ? 1 : 0);
-      double own = all.factors.getOrDefault(follower, 0.0);
-      double multiplier = -all.factors.getOrDefault(other, 0.0) / own;
-      if (own != 0 && at(follower).follow(at(other).name(), multiplier, -all.constant / own)) {
+      double own = all.factor(new Expression.CoordinatePosition(follower));
+      double multiplier = -all.factor(new Expression.CoordinatePosition(other)) / own;
+      if (own != 0 && at(follower).follow(at(other).name(), multiplier, -all.constant() / own)) {
         return;
       }
     }
@@ -363,22 +343,15 @@ final class UrdfWriter {
             + " coordinates that follow one other");
   }
 
-  private Optional<Linear> linear(Expression expression) {
-    if (expression instanceof Expression.Sum sum) {
-      return linear(sum.left()).flatMap(a -> linear(sum.right()).map(a::plus));
-    } else if (expression instanceof Expression.Negation negation) {
-      return linear(negation.operand()).map(a -> a.times(-1));
-    } else if (expression instanceof Expression.Product product) {
-      Optional<Double> factor = number(product.left());
-      return factor.isPresent()
-          ? linear(product.right()).map(a -> a.times(factor.get()))
-          : number(product.right()).flatMap(f -> linear(product.left()).map(a -> a.times(f)));
-    } else if (expression instanceof Expression.CoordinatePosition position) {
-      return position.coordinate() instanceof JointCoordinate of && has(of)
-          ? Optional.of(new Linear(0, Map.of(of, 1.0)))
-          : Optional.empty();
-    }
-    return number(expression).map(value -> new Linear(value, Map.of()));
+  private boolean isPosition(Expression expression) {
+    return coordinate(expression).filter(this::has).isPresent();
+  }
+
+  private static Optional<JointCoordinate> coordinate(Expression expression) {
+    return expression instanceof Expression.CoordinatePosition position
+            && position.coordinate() instanceof JointCoordinate of
+        ? Optional.of(of)
+        : Optional.empty();
   }
 
   private boolean has(JointCoordinate of) {
@@ -389,16 +362,8 @@ final class UrdfWriter {
     return along.get(of.joint()).get(of.component());
   }
 
-  /** Returns the value of a number or a parameter. */
   private Optional<Double> number(Expression expression) {
-    if (expression instanceof Expression.Constant constant) {
-      return Optional.of(constant.value());
-    } else if (expression instanceof Expression.ParameterValue parameter) {
-      return Optional.of(mechanism.parameters().get(parameter.index()).value());
-    } else if (expression instanceof Expression.Negation negation) {
-      return number(negation.operand()).map(value -> -value);
-    }
-    return Optional.empty();
+    return LinearRelation.number(expression, mechanism);
   }
 
   /** Takes what URDF has along a coordinate: damping, friction and stops; the rest is lost. */

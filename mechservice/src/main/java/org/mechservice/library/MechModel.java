@@ -801,6 +801,17 @@ public final class MechModel {
     return RobotExport.of(file.name(), model, file());
   }
 
+  /**
+   * Returns the mechanism as a model of MuJoCo, with the present values of its parameters, and what
+   * MJCF cannot express and is left out.
+   *
+   * @throws MechmlException M-086 if the mechanism would be another one: constraints and joints
+   *     that MJCF does not have, moving bodies without mass
+   */
+  public RobotExport mjcf() throws MechmlException {
+    return RobotExport.mjcf(file.name(), model);
+  }
+
   @Override
   public String toString() {
     return "model \"" + name() + "\" of " + file.name();

@@ -27,10 +27,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code mech export}: a model becomes a robot in URDF. */
+/** {@code mech export}: a model becomes a robot in URDF or MJCF. */
 @Command(
     name = "export",
-    description = "Translates a model from MechML to URDF and lists what is lost.",
+    description = "Translates a model from MechML to URDF or MJCF and lists what is lost.",
     footer = "mech export model.xml -o robot.urdf",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
@@ -41,8 +41,8 @@ public final class ExportCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--output"},
       required = true,
-      paramLabel = "MODEL.urdf",
-      description = "The robot to write.")
+      paramLabel = "FILE",
+      description = "The robot to write: FILE.urdf in URDF, FILE.xml or FILE.mjcf in MJCF.")
   private Path target = Path.of("");
 
   @Option(names = "--strict", description = "Write nothing if anything is lost.")
@@ -54,12 +54,17 @@ public final class ExportCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    if (!target.toString().toLowerCase(Locale.ROOT).endsWith(".urdf")) {
+    String end = target.toString().toLowerCase(Locale.ROOT);
+    boolean urdf = end.endsWith(".urdf");
+    if (!urdf && !end.endsWith(".xml") && !end.endsWith(".mjcf")) {
       throw new UsageException(
-          MessageCode.OPTION_UNUSABLE + " --output " + target + ": the name must end in .urdf");
+          MessageCode.OPTION_UNUSABLE
+              + " --output "
+              + target
+              + ": the name must end in .urdf for URDF, in .xml or .mjcf for MJCF");
     }
     OutputFile.requireUsable(target);
-    RobotExport robot = translated();
+    RobotExport robot = translated(urdf);
     PrintWriter err = spec.commandLine().getErr();
     robot.losses().forEach(err::println);
     int lost = robot.losses().size();
@@ -69,20 +74,24 @@ public final class ExportCommand implements Callable<Integer> {
               + " "
               + model
               + (lost == 1 ? " has one thing" : " has " + lost + " things")
-              + " that URDF does not have, listed above; nothing was written. Leave out --strict"
+              + " that "
+              + (urdf ? "URDF" : "MJCF")
+              + " does not have, listed above; nothing was written. Leave out --strict"
               + " to export the rest");
     }
     OutputFile.write(target, robot.text().getBytes(StandardCharsets.UTF_8));
     return ExitStatus.DONE;
   }
 
-  private RobotExport translated() throws IOException {
+  private RobotExport translated(boolean urdf) throws IOException {
     String name = model.toString();
     byte[] content = ModelFiles.inlined(Files.readAllBytes(model), model);
     try {
       ReadOptions values = new ReadOptions(Optional.empty(), parameters.values(), Set.of());
       MechmlModel read = MechmlReader.read(name, content, values);
-      return RobotExport.of(name, read, MechmlReader.whole(name, content));
+      return urdf
+          ? RobotExport.of(name, read, MechmlReader.whole(name, content))
+          : RobotExport.mjcf(name, read);
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
