@@ -74,7 +74,7 @@ class ArchitectureTest {
                   "sim.compile",
                   "sim.user",
                   "sim.model")),
-          entry("mechsim-service", List.of("sim.service", "sim.worker", "sim.host")),
+          entry("mechsim-service", List.of("sim.service", "sim.host")),
           entry("mechserver", List.of("server")),
           entry("mechclient", List.of("client")),
           entry("mechadmin", List.of("admin")),

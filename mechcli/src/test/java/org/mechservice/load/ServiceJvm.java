@@ -118,7 +118,7 @@ final class ServiceJvm implements AutoCloseable {
     // the handle knows no arguments of a command as long as this
     Path words = Path.of("/proc", Long.toString(child.pid()), "cmdline");
     try {
-      return Files.readString(words).contains("org.mechservice.sim.worker");
+      return Files.readString(words).contains("org.mechservice.guard.worker");
     } catch (IOException e) {
       return false; // it has ended
     }

@@ -74,9 +74,13 @@ public final class MechConnection implements AutoCloseable {
   /** Sessions of models, which end with the connection. */
   private final Queue<MechSession> models = new ConcurrentLinkedQueue<>();
 
-  private MechConnection(String address, JarCache cache, ServiceOrb orb) {
+  /** Whether the server is part of this program. */
+  private final boolean own;
+
+  private MechConnection(String address, JarCache cache, ServiceOrb orb, boolean own) {
     this.orb = orb;
     this.cache = cache;
+    this.own = own;
     Stopwatch watch = new Stopwatch();
     servers = new ServerSelection(orb, address);
     connectSeconds = watch.lap();
@@ -119,13 +123,34 @@ public final class MechConnection implements AutoCloseable {
    */
   public static MechConnection open(
       String address, JarCache cache, Optional<TlsIdentity> identity) {
+    return open(address, cache, identity, false);
+  }
+
+  /**
+   * Connects to a server that is part of this program: the models that it generates are the
+   * program's own, and a local run computes them in this process.
+   *
+   * @param address URL on the loopback interface
+   * @throws ServerLostException if it does not answer
+   */
+  public static MechConnection openOwn(String address) {
+    return open(address, JarCache.ofUser(), Optional.empty(), true);
+  }
+
+  private static MechConnection open(
+      String address, JarCache cache, Optional<TlsIdentity> identity, boolean own) {
     ServiceOrb orb = ServiceOrb.client(identity);
     try {
-      return new MechConnection(address, cache, orb);
+      return new MechConnection(address, cache, orb, own);
     } catch (ServiceException e) {
       orb.close();
       throw e;
     }
+  }
+
+  /** Returns whether the server is part of this program. */
+  boolean isOwn() {
+    return own;
   }
 
   /** Returns the description that the server in use gave when the connection was made. */

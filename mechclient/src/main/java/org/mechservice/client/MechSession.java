@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
@@ -21,9 +22,9 @@ import org.mechservice.client.failure.RemoteCalls;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.failure.SetUpCalls;
 import org.mechservice.client.jar.BuiltJar;
-import org.mechservice.client.jar.FetchedModel;
 import org.mechservice.client.jar.JarFetch;
 import org.mechservice.client.jar.LocalModel;
+import org.mechservice.client.jar.LocalRuns;
 import org.mechservice.client.run.HostedRun;
 import org.mechservice.client.run.LeaseRenewal;
 import org.mechservice.client.run.ListenerCallbacks;
@@ -32,6 +33,7 @@ import org.mechservice.client.run.RemoteRun;
 import org.mechservice.client.run.RowCursor;
 import org.mechservice.client.run.RunListener;
 import org.mechservice.guard.UserCode;
+import org.mechservice.guard.worker.WorkerProcess;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MAX_MECHML_BYTES;
@@ -402,13 +404,38 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Prepares a run on this machine: fetches the compiled model, verifies and loads it. The solver
-   * is that of this process, or the server's where that differs and is accepted.
+   * Prepares a run on this machine: fetches the compiled model and verifies it. It runs with the
+   * solver of this program in a process behind the walls of classes of users; where the solver of
+   * the server differs and is accepted, with that, in this process.
    *
    * @throws InvalidOptionException if an option cannot be used
-   * @throws JarRefusedException if a JAR is not the one announced or does not fit this client
+   * @throws JarRefusedException if a JAR is not the one announced or does not fit this client, or
+   *     its classes cannot be confined here
+   * @throws IOException if no process can be started
    */
-  public LocalRun prepareLocalRun(SimulationOptions options) {
+  public LocalRun prepareLocalRun(SimulationOptions options) throws IOException {
+    if (connection.isOwn()) {
+      return prepareLocalRun(options, Optional.empty());
+    }
+    CompletableFuture<WorkerProcess> begun = LocalRuns.beginWorker();
+    boolean prepared = false;
+    try {
+      LocalRun run = prepareLocalRun(options, Optional.of(begun));
+      prepared = true;
+      return run;
+    } finally {
+      if (!prepared) {
+        LocalRuns.end(begun);
+      }
+    }
+  }
+
+  /**
+   * @param begun a process for the model; empty if it runs in this one
+   */
+  private LocalRun prepareLocalRun(
+      SimulationOptions options, Optional<CompletableFuture<WorkerProcess>> begun)
+      throws IOException {
     Stopwatch watch = new Stopwatch();
     NameValueSeqHolder answer = new NameValueSeqHolder(new NameValue[0]);
     JarFetch jars = jars();
@@ -417,11 +444,24 @@ public final class MechSession implements AutoCloseable {
     keepWarnings(said);
     Optional<byte[]> runtimeJar = jars.runtime(modelJar);
     double fetchSeconds = watch.lap();
-    FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar, consent);
+    LocalRuns runs =
+        new LocalRuns(
+            options.columnGroups(),
+            options.isStrict(),
+            options.driftBound(),
+            said.silenced(),
+            consent);
+    LocalRuns.Prepared prepared;
+    if (begun.isPresent() && runtimeJar.isEmpty()) {
+      prepared = runs.confined(modelJar, begun.get());
+    } else {
+      begun.ifPresent(LocalRuns::end);
+      prepared = runs.here(modelJar, runtimeJar);
+    }
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
     Map<String, Object> facts = new LinkedHashMap<>();
     facts.put("where", "local, compiled by host " + said.hostName());
-    fetched.formulationReason().ifPresent(reason -> facts.put("formulationReason", reason));
+    prepared.formulationReason().ifPresent(reason -> facts.put("formulationReason", reason));
     said.ofModel().forEach(facts::putIfAbsent);
     facts.put("serverVersion", service.version());
     ServerTimes ofRun = timesOfRun(said);
@@ -429,8 +469,7 @@ public final class MechSession implements AutoCloseable {
     facts.put("modelJarBytes", (long) modelJar.bytes().length);
     facts.put("modelClassBytes", modelJar.modelClassBytes());
     facts.put("runtimeJarBytes", runtimeJarBytes());
-    return fetched.prepare(
-        options.columnGroups(), options.isStrict(), options.driftBound(), said.silenced(), facts);
+    return prepared.run(facts);
   }
 
   /**
@@ -444,7 +483,7 @@ public final class MechSession implements AutoCloseable {
     BuiltJar modelJar =
         jars.model(options.toNameValues(), new NameValueSeqHolder(new NameValue[0]));
     Optional<byte[]> runtimeJar = jars.runtime(modelJar);
-    return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar, consent));
+    return new LocalModel(modelJar, runtimeJar, consent);
   }
 
   /**

@@ -2,6 +2,7 @@ package org.mechservice.client;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -30,6 +31,7 @@ import org.mechservice.client.run.RemoteRun;
 import org.mechservice.client.run.RunListener;
 import org.mechservice.client.run.RunProgress;
 import org.mechservice.client.run.RunResult;
+import org.mechservice.guard.Confinement;
 import org.mechservice.guard.SolverClasses;
 import org.mechservice.idl.SimState;
 import org.mechservice.solver.api.result.ColumnGroup;
@@ -135,17 +137,18 @@ class ClientContractTest {
   }
 
   @Test
-  void solverOfTheSameBitsIsThisProgramsAndNoneIsFetched() {
+  void solverOfTheSameBitsIsThisProgramsAndNoneIsFetched() throws IOException {
     server.fingerprint = SolverClasses.fingerprint();
     assertThat(session.fetchModel(SimulationOptions.asInFile()).solver())
         .isInstanceOf(RuntimeSolver.class);
-    session.prepareLocalRun(SimulationOptions.asInFile());
+    assumeTrue(Confinement.ofThisMachine().stands(), "this machine cannot confine");
+    session.prepareLocalRun(SimulationOptions.asInFile()).close();
     assertThat(server.runtimeFetches).hasValue(0);
     assertThat(cacheFolder).isEmptyDirectory();
   }
 
   @Test
-  void otherSolverIsRefusedUnlessItsKeyIsAccepted() {
+  void otherSolverIsRefusedUnlessItsKeyIsAccepted() throws IOException {
     try (ScriptedServer other = new ScriptedServer();
         MechConnection careful = MechConnection.open(other.address(), new JarCache(cacheFolder));
         MechSession open = careful.openSession()) {
@@ -181,6 +184,28 @@ class ClientContractTest {
     assertThat(System.getProperty(HostileModel.DONE)).isNull();
   }
 
+  /** Where it ran in this process, its appetite would be this process's. */
+  @Test
+  void modelOfAServerRunsInAProcessOfItsOwn() {
+    assumeTrue(Confinement.ofThisMachine().stands(), "this machine cannot confine");
+    server.jars = TestJars.of(GreedyModel.class);
+    server.modelClass = GreedyModel.class.getName();
+    server.fingerprint = SolverClasses.fingerprint();
+    assertThatThrownBy(() -> session.prepareLocalRun(SimulationOptions.asInFile()))
+        .isInstanceOf(JarRefusedException.class)
+        .hasMessageStartingWith("S-036 the model JAR cannot be loaded")
+        .hasMessageContaining("memory");
+  }
+
+  @Test
+  void classesThatSwellAreRefusedByNameBeforeTheyFillTheMemory() {
+    server.jars = TestJars.swelling();
+    assertThatThrownBy(() -> session.prepareLocalRun(SimulationOptions.asInFile()))
+        .isInstanceOf(JarRefusedException.class)
+        .hasMessageStartingWith("S-036")
+        .hasMessageContaining("more than");
+  }
+
   @Test
   void classOfThisProgramIsNoModelOfAServer() {
     server.fingerprint = SolverClasses.fingerprint();
@@ -192,7 +217,7 @@ class ClientContractTest {
   }
 
   @Test
-  void runtimeJarIsFetchedOnce() {
+  void runtimeJarIsFetchedOnce() throws IOException {
     session.prepareLocalRun(SimulationOptions.asInFile());
     session.prepareLocalRun(SimulationOptions.asInFile());
     assertThat(server.runtimeFetches).hasValue(1);

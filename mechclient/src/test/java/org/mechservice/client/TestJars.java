@@ -43,11 +43,31 @@ record TestJars(byte[] model, byte[] runtime) {
 
   /** Returns a model JAR whose class does what a class of a model need not. */
   static TestJars hostile() {
+    return of(HostileModel.class);
+  }
+
+  /** Returns a JAR of one model class of these tests. */
+  static TestJars of(Class<? extends Model> type) {
     try {
-      return new TestJars(jar("1", HostileModel.class), make().runtime());
+      return new TestJars(jar("1", type), make().runtime());
     } catch (IOException e) {
       throw new IllegalStateException(e);
     }
+  }
+
+  /** Returns a model JAR of half a megabyte, whose classes have half a gigabyte. */
+  static TestJars swelling() {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    byte[] zeros = new byte[1 << 24];
+    try (JarOutputStream jar = new JarOutputStream(bytes, manifest("1"))) {
+      for (int i = 0; i < 32; i++) {
+        jar.putNextEntry(new JarEntry("org/mechservice/Zeros" + i + ".class"));
+        jar.write(zeros);
+      }
+    } catch (IOException e) {
+      throw new IllegalStateException(e);
+    }
+    return new TestJars(bytes.toByteArray(), make().runtime());
   }
 
   static KeyPair newKey() {

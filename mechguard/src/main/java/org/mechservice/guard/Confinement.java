@@ -2,6 +2,7 @@ package org.mechservice.guard;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
@@ -10,6 +11,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
@@ -28,6 +34,11 @@ public final class Confinement {
 
   private static final long PROBE_SECONDS = 60;
   private static final int PROBE_OUTPUT = 10_000;
+  private static final long BUILDING_MILLIS = 20;
+  private static final long BUILDING_SECONDS = 10;
+
+  /** Processes below the command of a wall: its first one within, and Java. */
+  private static final int BEHIND_WALL = 2;
 
   /** Sets the bounds of the kernel and opens the filter, then becomes what its arguments say. */
   private static final String SHELL =
@@ -80,6 +91,23 @@ public final class Confinement {
   /** A tool that stands on this machine. */
   private record Wall(Path tool, SystemCallFilter filter, JavaFiles files) {}
 
+  /** A process behind the wall ends with the thread that starts it; this one stays. */
+  private static final ExecutorService STARTER =
+      Executors.newSingleThreadExecutor(
+          task -> {
+            Thread thread = new Thread(task, "starts confined processes");
+            thread.setDaemon(true);
+            return thread;
+          });
+
+  /** Those that have not ended; a program that ends lets their walls become complete. */
+  private static final Set<Process> STARTED = ConcurrentHashMap.newKeySet();
+
+  static {
+    Thread last = new Thread(() -> STARTED.forEach(Confinement::endWhenComplete), "ends the walls");
+    Runtime.getRuntime().addShutdownHook(last);
+  }
+
   private final Optional<Wall> wall;
   private final String text;
 
@@ -91,6 +119,13 @@ public final class Confinement {
   /** Returns the wall of this machine; the first call probes it, which takes about a second. */
   public static Confinement ofThisMachine() {
     return OfThisMachine.PROBED;
+  }
+
+  /** Begins to probe the wall of this machine, for a program that will soon need it. */
+  public static void probeAhead() {
+    Thread probing = new Thread(Confinement::ofThisMachine, "mechservice-probe");
+    probing.setDaemon(true);
+    probing.start();
   }
 
   /** Returns no wall: an ordinary process. */
@@ -172,7 +207,7 @@ public final class Confinement {
               ConfinementProbe.class,
               List.of(
                   Integer.toString(listening.getLocalPort()), "/etc/passwd", ownFile.toString()));
-      Process probe = command.redirectErrorStream(true).start();
+      Process probe = start(command.redirectErrorStream(true));
       try {
         probe.getOutputStream().close();
         if (!probe.waitFor(PROBE_SECONDS, TimeUnit.SECONDS)) {
@@ -185,7 +220,7 @@ public final class Confinement {
         Thread.currentThread().interrupt();
         return "the probe was interrupted";
       } finally {
-        probe.destroyForcibly();
+        end(probe);
       }
     } finally {
       Files.delete(ownFile);
@@ -260,6 +295,63 @@ public final class Confinement {
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().clear();
     return builder;
+  }
+
+  /**
+   * Starts a process that lives as long as this one, whatever becomes of the calling thread.
+   *
+   * @param command of {@link #command}
+   * @throws IOException if it cannot be started
+   */
+  public static Process start(ProcessBuilder command) throws IOException {
+    try {
+      Process started = STARTER.submit(command::start).get();
+      STARTED.add(started);
+      started.onExit().thenRun(() -> STARTED.remove(started));
+      return started;
+    } catch (ExecutionException e) {
+      throw new IOException(e.getCause());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new InterruptedIOException("the start of a confined process was not awaited");
+    }
+  }
+
+  /**
+   * Ends a process at once, or, if its wall is not complete yet, as soon as it is. Bubblewrap that
+   * is killed before leaves a half of itself, which waits for the other one for ever.
+   *
+   * @param process of {@link #start}
+   */
+  public static void end(Process process) {
+    if (!process.isAlive() || isComplete(process)) {
+      process.destroyForcibly();
+      return;
+    }
+    Thread ending = new Thread(() -> endWhenComplete(process), "ends a confined process");
+    ending.setDaemon(true);
+    ending.start();
+  }
+
+  private static void endWhenComplete(Process process) {
+    try {
+      long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(BUILDING_SECONDS);
+      while (!isComplete(process)
+          && System.nanoTime() < end
+          && !process.waitFor(BUILDING_MILLIS, TimeUnit.MILLISECONDS)) {
+        // It is being built.
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      process.destroyForcibly();
+    }
+  }
+
+  /** Returns whether Java runs in a process: itself, or as the second descendant of its wall. */
+  private static boolean isComplete(Process process) {
+    String shell = process.info().command().orElse("");
+    return shell.endsWith("/java") || process.descendants().count() >= BEHIND_WALL;
   }
 
   private static void addWall(List<String> command, Wall wall, WorkerBounds bounds)

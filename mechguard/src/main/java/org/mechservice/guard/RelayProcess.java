@@ -5,7 +5,6 @@ import java.io.BufferedOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
-import java.io.InterruptedIOException;
 import java.io.StreamCorruptedException;
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -16,9 +15,6 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntSupplier;
 import org.mechservice.solver.api.ForceBlocks;
@@ -41,15 +37,6 @@ final class RelayProcess {
   private static final int MOST_NUMBERS = 9;
   private static final double MEGABYTE = 1e6;
 
-  /** A process behind the wall ends with the thread that starts it; this one stays. */
-  private static final ExecutorService STARTER =
-      Executors.newSingleThreadExecutor(
-          task -> {
-            Thread thread = new Thread(task, "starts processes of forces");
-            thread.setDaemon(true);
-            return thread;
-          });
-
   private final WorkerBounds bounds;
   private final Process process;
   private final DataOutputStream out;
@@ -68,7 +55,7 @@ final class RelayProcess {
   RelayProcess(WorkerBounds bounds) throws IOException {
     this.bounds = bounds;
     process =
-        started(
+        Confinement.start(
             Confinement.ofThisMachine()
                 .command(bounds, RelayMain.class, List.of())
                 .redirectError(ProcessBuilder.Redirect.DISCARD));
@@ -76,23 +63,12 @@ final class RelayProcess {
     in = new DataInputStream(new BufferedInputStream(process.getInputStream()));
   }
 
-  private static Process started(ProcessBuilder command) throws IOException {
-    try {
-      return STARTER.submit(command::start).get();
-    } catch (ExecutionException e) {
-      throw new IOException(e.getCause());
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new InterruptedIOException("a process for forces was not awaited");
-    }
-  }
-
   boolean isAlive() {
     return process.isAlive();
   }
 
   void end() {
-    process.destroyForcibly();
+    Confinement.end(process);
   }
 
   /** What a class of a user has thrown, or why its process is gone, as text. */

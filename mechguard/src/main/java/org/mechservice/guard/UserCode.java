@@ -138,7 +138,7 @@ public final class UserCode {
   public Optional<String> warning(Confinement wall) {
     return unconfined && !wall.stands()
         ? Optional.of(
-            "the classes of forces run unconfined, with all rights of the user: " + wall.text())
+            "classes from elsewhere run unconfined, with all rights of the user: " + wall.text())
         : Optional.empty();
   }
 

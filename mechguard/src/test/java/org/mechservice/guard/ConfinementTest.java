@@ -6,6 +6,11 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.UUID;
+import java.util.concurrent.TimeUnit;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -46,6 +51,49 @@ public class ConfinementTest {
     } finally {
       Files.delete(file);
     }
+  }
+
+  /** Bubblewrap that is killed before its wall is complete leaves a half of itself for ever. */
+  @Test
+  void processesThatAreEndedWhileTheyStartLeaveNothingBehind() throws Exception {
+    Confinement wall = Confinement.ofThisMachine();
+    assumeTrue(wall.stands(), () -> "no confinement on this machine: " + wall.text());
+    String mark = "mark-" + UUID.randomUUID();
+    List<Process> ended = new ArrayList<>();
+    for (int i = 0; i < 30; i++) {
+      Process started =
+          Confinement.start(
+              wall.command(
+                  new WorkerBounds(1 << 26, 60), ConfinementProbe.class, List.of("0", mark)));
+      started.waitFor(i, TimeUnit.MILLISECONDS);
+      Confinement.end(started);
+      ended.add(started);
+    }
+    for (Process process : ended) {
+      process.waitFor();
+    }
+    long until = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
+    while (!marked(mark).isEmpty() && System.nanoTime() < until) {
+      Thread.sleep(20);
+    }
+    assertThat(marked(mark)).isEmpty();
+  }
+
+  /** Returns the processes one of whose words is a mark. */
+  private static List<Path> marked(String mark) throws IOException {
+    List<Path> found = new ArrayList<>();
+    try (DirectoryStream<Path> processes = Files.newDirectoryStream(Path.of("/proc"), "[0-9]*")) {
+      for (Path process : processes) {
+        try {
+          if (Files.readString(process.resolve("cmdline")).contains(mark)) {
+            found.add(process);
+          }
+        } catch (IOException e) {
+          // It has just ended, or its words are no text.
+        }
+      }
+    }
+    return found;
   }
 
   @ValueSource(strings = {"POSIX_SPAWN", "VFORK", "FORK"})

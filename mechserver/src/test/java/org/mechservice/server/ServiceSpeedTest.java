@@ -32,7 +32,7 @@ import org.mechservice.orb.ServiceOrb;
 import org.mechservice.server.hosts.ServerTuning;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.limits.CurrentLimits;
-import org.mechservice.sim.worker.WorkerMain;
+import org.mechservice.guard.worker.WorkerMain;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunReport;

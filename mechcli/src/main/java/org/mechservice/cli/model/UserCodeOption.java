@@ -19,7 +19,7 @@ public final class UserCodeOption {
   @Option(
       names = "--unconfined",
       description =
-          "Run the classes of forces also where the operating system cannot confine them: with all"
+          "Run classes from elsewhere also where the operating system cannot confine them: with all"
               + " your rights.")
   private boolean unconfined;
 

@@ -92,7 +92,7 @@ public final class ServiceConnection implements AutoCloseable {
   private static MechConnection connected(MechServerProcess own) {
     for (int attempt = 1; ; attempt++) {
       try {
-        return MechConnection.open(own.url());
+        return MechConnection.openOwn(own.url());
       } catch (ServerLostException e) {
         if (attempt == OWN_ATTEMPTS || !e.code().equals(MessageCode.NO_SERVER_ANSWERS.code())) {
           throw e;

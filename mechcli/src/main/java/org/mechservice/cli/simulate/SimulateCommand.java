@@ -30,6 +30,7 @@ import org.mechservice.client.run.RemoteRun;
 import org.mechservice.client.run.RunProgress;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.idl.OPT_T_STEP;
+import org.mechservice.guard.Confinement;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.view.scene.SceneDescription;
@@ -113,6 +114,9 @@ public final class SimulateCommand implements Callable<Integer> {
     CheckpointStore store = checkpoints.open(lost -> err().println(lost));
     SimulationOptions options = options();
     List<AnimationFile> animations = animations();
+    if (mode == Mode.LOCAL && !server.address().isEmpty()) {
+      Confinement.probeAhead();
+    }
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         ServiceConnection service = ServiceConnection.open(server, userCode.consent());
         Attempt attempt = new Attempt(service.connection())) {
@@ -249,7 +253,8 @@ public final class SimulateCommand implements Callable<Integer> {
    * refused.
    */
   private PreparedRun prepare(
-      MechSession session, SimulationOptions options, RunFollower news, ProgressDisplay display) {
+      MechSession session, SimulationOptions options, RunFollower news, ProgressDisplay display)
+      throws IOException {
     try {
       return switch (mode) {
         case REMOTE -> session.prepareRemoteRun(options, news);

@@ -3,6 +3,8 @@ package org.mechservice.client.jar;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.mechservice.client.failure.JarRefusedException;
+import org.mechservice.guard.UserCode;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Solver;
@@ -17,9 +19,17 @@ public final class LocalModel {
   private final BuiltJar modelJar;
   private final FetchedModel fetched;
 
-  public LocalModel(BuiltJar modelJar, FetchedModel fetched) {
+  /**
+   * Loads a model.
+   *
+   * @param runtimeJar the solver that came with it; empty: that of this process
+   * @param consent whether classes of users may run where they cannot be confined
+   * @throws JarRefusedException if the JARs do not fit this client or each other, or a class uses
+   *     what it must not (S-232; of a user: S-156)
+   */
+  public LocalModel(BuiltJar modelJar, Optional<byte[]> runtimeJar, UserCode consent) {
     this.modelJar = modelJar;
-    this.fetched = fetched;
+    fetched = FetchedModel.load(VerifiedJar.of(modelJar), runtimeJar, consent);
   }
 
   /** Returns a new instance of the model, for one run. */
@@ -42,7 +52,7 @@ public final class LocalModel {
   public RunRequest request(
       Optional<Set<ColumnGroup>> columns, boolean strict, OptionalDouble maxDrift) {
     return new RunRequest(
-        newModel().description().defaults(), columns.orElse(fetched.shown()), strict, maxDrift);
+        newModel().description().defaults(), columns.orElse(fetched.jar().shown()), strict, maxDrift);
   }
 
   /** Returns the names of the inputs that a program sets between two steps. */

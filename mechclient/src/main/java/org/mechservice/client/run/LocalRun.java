@@ -10,71 +10,52 @@ import org.mechservice.client.failure.InvalidStateException;
 import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.client.failure.RunState;
 import org.mechservice.client.failure.ServiceException;
-import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.ModelSource;
-import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
-import org.mechservice.solver.api.run.RunNotes;
-import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * A run on this machine with the model class and the solver fetched from the server. It no longer
- * needs the server. It runs once.
+ * A run on this machine with the model class that was fetched from the server. It no longer needs
+ * the server. It runs once.
  */
 public final class LocalRun implements PreparedRun {
   /** Longest wait of a cancel for the end of a step, ms. */
   private static final long LONGEST_STEP_MILLIS = 1000;
 
-  private final ModelSource source;
+  private final LocalComputation computation;
   private final Map<String, String> parameters = new LinkedHashMap<>();
-  private final Solver solver;
   private final String modelSha256;
   private final RunRequest request;
   private final Map<String, Object> facts;
-  private final Optional<RunNotes.Note> note;
   private final RunControl control = new RunControl();
-  private Model model;
   private volatile RunState state = RunState.CREATED;
 
   /** Whether the run leaves checkpoints. */
   private volatile boolean saved;
 
   /**
+   * @param computation what computes it, in this process or in one of its own
    * @param modelSha256 of the JAR the model came in
-   * @param note that its report has besides those of the solver
    */
   public LocalRun(
-      ModelSource source,
-      Model model,
-      Solver solver,
+      LocalComputation computation,
       String modelSha256,
       RunRequest request,
-      Map<String, Object> facts,
-      Optional<RunNotes.Note> note) {
-    this.source = source;
-    this.model = model;
+      Map<String, Object> facts) {
+    this.computation = computation;
     this.modelSha256 = modelSha256;
-    this.solver = solver;
     this.request = request;
     this.facts = facts;
-    this.note = note;
-  }
-
-  /** Returns names, units and settings of the model. */
-  public ModelDescription model() {
-    return model.description();
   }
 
   @Override
   public List<TunableParameter> parameters() {
-    return source.parameters().stream()
+    return computation.parameters().stream()
         .map(
             p ->
                 parameters.containsKey(p.name())
@@ -95,7 +76,7 @@ public final class LocalRun implements PreparedRun {
     Map<String, String> all = new LinkedHashMap<>(parameters);
     values.forEach((name, value) -> all.put(name, value.strip()));
     try {
-      model = source.model(all);
+      ModelSource.numbers(computation.parameters(), all);
     } catch (IllegalArgumentException e) {
       String text = String.valueOf(e.getMessage());
       throw new InvalidOptionException(
@@ -109,9 +90,8 @@ public final class LocalRun implements PreparedRun {
     saved = Double.isFinite(store.secondsBetween());
     state = RunState.RUNNING;
     try {
-      RunReport ended = solver.run(model, request, sink, control, checkpoints(store));
-      RunReport done = note.map(ended::with).orElse(ended);
-      Map<String, Object> report = new LinkedHashMap<>(done.asMap());
+      RunResult done = computation.run(parameters, sink, control, checkpoints(store));
+      Map<String, Object> report = new LinkedHashMap<>(done.report());
       facts.forEach(report::putIfAbsent);
       return new RunResult(done.outcome(), report);
     } catch (IllegalArgumentException e) {
@@ -184,5 +164,6 @@ public final class LocalRun implements PreparedRun {
   @Override
   public void close() {
     cancel();
+    computation.close();
   }
 }

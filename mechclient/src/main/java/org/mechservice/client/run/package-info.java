@@ -3,7 +3,8 @@
  *
  * <p>The interface: {@link org.mechservice.client.run.PreparedRun} is a run that is ready to start;
  * {@link org.mechservice.client.run.RemoteRun} runs at the server, {@link
- * org.mechservice.client.run.LocalRun} in this process with the fetched solver. {@link
+ * org.mechservice.client.run.LocalRun} on this machine: confined, or in this process, as its {@link
+ * org.mechservice.client.run.LocalComputation} does. {@link
  * org.mechservice.client.run.ReattachedRun} is a run that another client started. {@link
  * org.mechservice.client.run.RunResult} is the outcome and the report, {@link
  * org.mechservice.client.run.RunProgress} an intermediate state, {@link
@@ -16,7 +17,7 @@
  * keeps the objects at the server alive. {@code FailureReader} and {@code ReportJson} translate
  * what the contract carries into the types of {@code solver.api}.
  *
- * <p>The package depends on {@code client.failure}, the contract and {@code solver.api}.
+ * <p>The package depends on {@code client.failure}, the contract, {@code guard} and {@code solver.api}.
  */
 @NullMarked
 package org.mechservice.client.run;

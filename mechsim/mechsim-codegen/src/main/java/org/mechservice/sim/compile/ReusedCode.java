@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.mechservice.guard.ModelClassLoader;
 import org.mechservice.solver.api.ModelSource;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;

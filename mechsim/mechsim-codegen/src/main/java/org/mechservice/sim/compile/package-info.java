@@ -7,7 +7,7 @@
  * and serves user forces too. Models are normally written as class files directly, without this
  * compiler; tests compile the source and compare the bits.
  *
- * <p>{@link org.mechservice.sim.compile.ModelClassLoader} loads the classes of one model; {@link
+ * <p>{@link org.mechservice.guard.ModelClassLoader} loads the classes of one model; {@link
  * org.mechservice.sim.compile.ReusedCode} those of many that differ in numbers only, once. {@link
  * org.mechservice.guard.SolverClasses} gives the class files of this process's solver and their
  * fingerprint. {@link org.mechservice.sim.compile.ReachableClasses} follows the names in constant

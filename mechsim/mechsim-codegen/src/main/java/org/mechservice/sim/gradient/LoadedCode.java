@@ -4,7 +4,7 @@ import java.lang.ref.SoftReference;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.TreeMap;
-import org.mechservice.sim.compile.ModelClassLoader;
+import org.mechservice.guard.ModelClassLoader;
 import org.mechservice.sim.emit.GeneratedClass;
 import org.mechservice.sim.emit.ModelClass;
 import org.mechservice.solver.text.Sha256;

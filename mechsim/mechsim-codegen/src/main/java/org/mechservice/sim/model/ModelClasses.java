@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Supplier;
-import org.mechservice.sim.compile.ModelClassLoader;
+import org.mechservice.guard.ModelClassLoader;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.sim.compile.ModelClassLoader;
+import org.mechservice.guard.ModelClassLoader;
 import org.mechservice.sim.compile.ModelCompiler;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.sim.compile.ModelClassLoader;
+import org.mechservice.guard.ModelClassLoader;
 import org.mechservice.sim.compile.ModelCompiler;
 import org.mechservice.sim.emit.GeneratedClass;
 import org.mechservice.sim.equations.coordinates.GeneratedCutCoordinatesTest;

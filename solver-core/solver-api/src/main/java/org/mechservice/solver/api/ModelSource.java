@@ -39,7 +39,18 @@ public interface ModelSource {
     if (values.isEmpty()) {
       return model();
     }
-    List<TunableParameter> parameters = parameters();
+    return model(numbers(parameters(), values));
+  }
+
+  /**
+   * Returns the values of all parameters, some of which are set.
+   *
+   * @param parameters those that may be set
+   * @param values numbers by the parameters' names, in their units
+   * @throws IllegalArgumentException S-125 if a parameter cannot be set, S-126 if a value is no
+   *     finite number; the message says so
+   */
+  static double[] numbers(List<TunableParameter> parameters, Map<String, String> values) {
     Map<String, String> left = new TreeMap<>(values);
     double[] numbers = new double[parameters.size()];
     for (int i = 0; i < numbers.length; i++) {
@@ -50,7 +61,7 @@ public interface ModelSource {
     if (!left.isEmpty()) {
       throw settled(left.keySet().iterator().next(), parameters);
     }
-    return model(numbers);
+    return numbers;
   }
 
   private static double number(TunableParameter parameter, String given) {

@@ -2,7 +2,6 @@ package org.mechservice.sim.service.run;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,9 +9,10 @@ import org.mechservice.guard.Confinement;
 import org.mechservice.guard.UserCode;
 import org.mechservice.guard.WorkerBounds;
 import org.mechservice.sim.model.ModelClasses;
-import org.mechservice.sim.worker.WorkerOrder;
-import org.mechservice.sim.worker.WorkerProcess;
-import org.mechservice.sim.worker.WorkerResult;
+import org.mechservice.guard.worker.WorkerModel;
+import org.mechservice.guard.worker.WorkerOrder;
+import org.mechservice.guard.worker.WorkerProcess;
+import org.mechservice.guard.worker.WorkerResult;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.TunableParameter;
@@ -167,18 +167,14 @@ final class WorkerTask implements RunTask {
     if (warning.isEmpty()) {
       return result;
     }
-    RunNotes.Note note =
-        new RunNotes.Note(MessageCode.USER_CODE_UNCONFINED, 0, true, warning.get());
-    Map<String, Object> report = new LinkedHashMap<>(result.report());
-    report.merge("notes", note.message(), (before, more) -> before + "\n" + more);
-    return new WorkerResult(report, result.outcome());
+    return result.with(
+        new RunNotes.Note(MessageCode.USER_CODE_UNCONFINED, 0, true, warning.get()));
   }
 
   private WorkerOrder order(RunRequest asked) {
     return new WorkerOrder(
-        compiled.generated().className(),
-        compiled.files().own(),
-        compiled.files().ofUsers(),
+        new WorkerModel(
+            compiled.generated().className(), compiled.files().own(), compiled.files().ofUsers()),
         values,
         asked);
   }

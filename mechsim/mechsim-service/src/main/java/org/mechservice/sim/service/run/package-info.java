@@ -13,7 +13,7 @@
  * RunCheckpoints} keeps the checkpoint that a run starts from and the latest it has made.
  *
  * <p>Depends on the packages {@code results}, {@code limits} and {@code contract}, on {@code
- * sim.worker} and on the solver; knows neither sessions nor requests.
+ * guard.worker} and on the solver; knows neither sessions nor requests.
  */
 @NullMarked
 package org.mechservice.sim.service.run;

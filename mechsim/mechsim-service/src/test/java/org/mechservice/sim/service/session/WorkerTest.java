@@ -84,7 +84,7 @@ class WorkerTest {
     try {
       String line =
           Files.isReadable(words) ? Files.readString(words) : child.info().commandLine().orElse("");
-      return line.contains("org.mechservice.sim.worker");
+      return line.contains("org.mechservice.guard.worker");
     } catch (IOException e) {
       // it has ended
       return false;

@@ -1,10 +1,14 @@
-package org.mechservice.sim.worker;
+package org.mechservice.sim.service.run;
 
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.mechservice.guard.worker.WorkerModel;
+import org.mechservice.guard.worker.WorkerOrder;
+import org.mechservice.guard.worker.WorkerProcess;
+import org.mechservice.guard.worker.WorkerResult;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.service.library.LoadedModel;
 import org.mechservice.sim.service.library.ModelLibrary;
@@ -36,9 +40,7 @@ final class HarmlessRun {
       SortedMap<String, byte[]> own = new TreeMap<>(compiled.classFiles());
       own.keySet().removeAll(compiled.userClassFiles().keySet());
       return new WorkerOrder(
-          compiled.generated().className(),
-          own,
-          compiled.userClassFiles(),
+          new WorkerModel(compiled.generated().className(), own, compiled.userClassFiles()),
           Map.of(),
           new RunRequest(asked.settings(), asked.columns(), asked.strict(), asked.maxDrift()));
     }

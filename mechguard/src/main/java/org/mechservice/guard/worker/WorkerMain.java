@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard.worker;
 
 import java.io.BufferedOutputStream;
 import java.io.DataInputStream;
@@ -9,12 +9,13 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.io.StreamCorruptedException;
 import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.concurrent.Semaphore;
-import org.mechservice.sim.compile.ModelClassLoader;
-import org.mechservice.sim.user.UserClasses;
+import org.mechservice.guard.ModelClassLoader;
+import org.mechservice.guard.UserClassLoader;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.result.ResultSink;
@@ -26,6 +27,7 @@ import org.mechservice.solver.api.run.RunReport;
 /** Main class of a worker process: computes one run and ends. */
 public final class WorkerMain implements ResultSink {
   // From the worker
+  static final byte DESCRIPTION = 'D';
   static final byte COLUMNS = 'C';
   static final byte ROW = 'R';
   static final byte STEP = 'P';
@@ -34,7 +36,10 @@ public final class WorkerMain implements ResultSink {
   static final byte END = 'E';
   static final byte REFUSED = 'X';
   static final byte THROWN = 'T';
-  // To the worker
+  // To the worker, after the model
+  static final byte DESCRIBE = 'Q';
+  static final byte RUN = 'O';
+  // To the worker, while it runs
   static final byte GO_ON = 'G';
   static final byte STOP = 'S';
   static final byte SAVE = 'V';
@@ -66,13 +71,31 @@ public final class WorkerMain implements ResultSink {
   }
 
   private void work() throws IOException {
-    WorkerOrder order = WorkerOrder.read(in);
-    CheckpointOrder checkpoints = CheckpointOrder.read(in);
-    Thread listener = new Thread(this::listen, "orders");
-    listener.setDaemon(true);
-    listener.start();
+    WorkerModel model = WorkerModel.read(in);
     try {
-      RunReport report = run(order, new SentCheckpoints(checkpoints));
+      Optional<ModelSource> described = Optional.empty();
+      byte asked = in.readByte();
+      if (asked == DESCRIBE) {
+        described = Optional.of(source(model));
+        WorkerDescription description = WorkerDescription.of(described.get());
+        out.writeByte(DESCRIPTION);
+        description.write(out);
+        out.flush();
+        asked = in.readByte();
+      }
+      if (asked != RUN) {
+        throw new StreamCorruptedException("an order of the kind " + asked);
+      }
+      WorkerOrder order = WorkerOrder.read(model, in);
+      CheckpointOrder checkpoints = CheckpointOrder.read(in);
+      Thread listener = new Thread(this::listen, "orders");
+      listener.setDaemon(true);
+      listener.start();
+      RunReport report =
+          run(
+              described.isPresent() ? described.get() : source(model),
+              order,
+              new SentCheckpoints(checkpoints));
       out.writeByte(END);
       new WorkerResult(report.asMap(), report.outcome()).write(out);
     } catch (IllegalArgumentException e) {
@@ -92,20 +115,24 @@ public final class WorkerMain implements ResultSink {
     return text.length() > MOST_TEXT ? text.substring(0, MOST_TEXT) + "..." : text;
   }
 
-  private RunReport run(WorkerOrder order, Checkpoints checkpoints) throws IOException {
+  private static ModelSource source(WorkerModel model) {
+    ClassLoader classes =
+        new ModelClassLoader(model.classFiles(), new UserClassLoader(model.userClassFiles()));
+    try {
+      return ModelSource.from(
+          classes.loadClass(model.className()).getConstructor().newInstance());
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  private RunReport run(ModelSource source, WorkerOrder order, Checkpoints checkpoints)
+      throws IOException {
     Solver solver =
         ServiceLoader.load(Solver.class, WorkerMain.class.getClassLoader())
             .findFirst()
             .orElseThrow(() -> new IllegalStateException("no solver on the class path"));
-    ClassLoader classes =
-        new ModelClassLoader(order.classFiles(), UserClasses.loaderOf(order.userClassFiles()));
-    try {
-      ModelSource source =
-          ModelSource.from(classes.loadClass(order.className()).getConstructor().newInstance());
-      return solver.run(source.model(order.values()), order.request(), this, control, checkpoints);
-    } catch (ReflectiveOperationException e) {
-      throw new IllegalStateException(e);
-    }
+    return solver.run(source.model(order.values()), order.request(), this, control, checkpoints);
   }
 
   /**

@@ -1,16 +1,13 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard.worker;
 
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
@@ -20,23 +17,14 @@ import org.mechservice.solver.catalogue.MessageCode;
 /**
  * The run that a worker computes.
  *
- * @param className the model's class
- * @param classFiles the model's own class files, by binary name
- * @param userClassFiles those of its users
+ * @param model what runs
  * @param values numbers of tunable parameters, by name
  * @param request what is wanted of the run
  */
-public record WorkerOrder(
-    String className,
-    SortedMap<String, byte[]> classFiles,
-    SortedMap<String, byte[]> userClassFiles,
-    Map<String, String> values,
-    RunRequest request) {
+public record WorkerOrder(WorkerModel model, Map<String, String> values, RunRequest request) {
 
+  /** Writes all but the model, which the worker has before. */
   void write(DataOutputStream out) throws IOException {
-    out.writeUTF(className);
-    writeFiles(out, classFiles);
-    writeFiles(out, userClassFiles);
     out.writeInt(values.size());
     for (Map.Entry<String, String> value : values.entrySet()) {
       out.writeUTF(value.getKey());
@@ -55,19 +43,7 @@ public record WorkerOrder(
     }
   }
 
-  private static void writeFiles(DataOutputStream out, Map<String, byte[]> files)
-      throws IOException {
-    out.writeInt(files.size());
-    for (Map.Entry<String, byte[]> file : files.entrySet()) {
-      byte[] name = file.getKey().getBytes(StandardCharsets.UTF_8);
-      out.writeInt(name.length);
-      out.write(name);
-      out.writeInt(file.getValue().length);
-      out.write(file.getValue());
-    }
-  }
-
-  private static void writeSettings(DataOutputStream out, RunSettings settings) throws IOException {
+  static void writeSettings(DataOutputStream out, RunSettings settings) throws IOException {
     out.writeDouble(settings.tStart());
     out.writeDouble(settings.tEnd());
     out.writeDouble(settings.tStep());
@@ -83,10 +59,7 @@ public record WorkerOrder(
     out.writeUTF(settings.accuracy().name());
   }
 
-  static WorkerOrder read(DataInputStream in) throws IOException {
-    String className = in.readUTF();
-    SortedMap<String, byte[]> classFiles = readFiles(in);
-    SortedMap<String, byte[]> userClassFiles = readFiles(in);
+  static WorkerOrder read(WorkerModel model, DataInputStream in) throws IOException {
     Map<String, String> values = new LinkedHashMap<>();
     for (int left = in.readInt(); left > 0; left--) {
       String name = in.readUTF();
@@ -98,9 +71,7 @@ public record WorkerOrder(
       columns.add(ColumnGroup.valueOf(in.readUTF()));
     }
     return new WorkerOrder(
-        className,
-        classFiles,
-        userClassFiles,
+        model,
         values,
         new RunRequest(
             settings, columns, in.readBoolean(), number(in.readDouble()), readWarnings(in)));
@@ -119,16 +90,7 @@ public record WorkerOrder(
     return Double.isNaN(written) ? OptionalDouble.empty() : OptionalDouble.of(written);
   }
 
-  private static SortedMap<String, byte[]> readFiles(DataInputStream in) throws IOException {
-    SortedMap<String, byte[]> files = new TreeMap<>();
-    for (int left = in.readInt(); left > 0; left--) {
-      String name = new String(in.readNBytes(in.readInt()), StandardCharsets.UTF_8);
-      files.put(name, in.readNBytes(in.readInt()));
-    }
-    return files;
-  }
-
-  private static RunSettings readSettings(DataInputStream in) throws IOException {
+  static RunSettings readSettings(DataInputStream in) throws IOException {
     return new RunSettings(
         in.readDouble(),
         in.readDouble(),

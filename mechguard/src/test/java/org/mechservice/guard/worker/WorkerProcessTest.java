@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard.worker;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard.worker;
 
 import java.io.BufferedInputStream;
 import java.io.BufferedOutputStream;
@@ -13,7 +13,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import org.mechservice.guard.Confinement;
 import org.mechservice.guard.WorkerBounds;
@@ -24,8 +28,11 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.WellFormedText;
 
-/** A worker process, as its host controls it. Runs once. */
-public final class WorkerProcess {
+/**
+ * A worker process, as its host or the program of a user controls it. It may be asked what its
+ * model is, and runs it once.
+ */
+public final class WorkerProcess implements AutoCloseable {
   /** Exit status of a Java process that runs out of memory, with {@code ExitOnOutOfMemoryError}. */
   private static final int EXIT_OUT_OF_MEMORY = 3;
 
@@ -45,6 +52,15 @@ public final class WorkerProcess {
   private static final long PATIENCE_MILLIS = 1000;
 
   private static final long DYING_SECONDS = 60;
+  private static final long LONGEST_DESCRIPTION_SECONDS = 60;
+
+  private static final ScheduledExecutorService IMPATIENT =
+      Executors.newSingleThreadScheduledExecutor(
+          task -> {
+            Thread thread = new Thread(task, "mechservice-worker-patience");
+            thread.setDaemon(true);
+            return thread;
+          });
 
   private static final int MOST_COLUMNS = 1_000_000;
   private static final int MOST_CHECKPOINT_BYTES = 1 << 28;
@@ -56,6 +72,11 @@ public final class WorkerProcess {
   private final Confinement confinement;
   private final WorkerBounds bounds;
   private volatile Optional<Process> process = Optional.empty();
+  private Optional<Talk> talk = Optional.empty();
+
+  /** Whether the process has its model, which it has described. */
+  private boolean described;
+
   private List<ProcessHandle> processes = List.of();
   private long cpuNanos;
 
@@ -86,9 +107,102 @@ public final class WorkerProcess {
     return cpuNanos;
   }
 
+  /** The process, and the streams to and from it. */
+  private record Talk(Process process, DataOutputStream out, DataInputStream in) {
+    static Talk with(Process started) {
+      return new Talk(
+          started,
+          new DataOutputStream(new BufferedOutputStream(started.getOutputStream())),
+          new DataInputStream(new BufferedInputStream(started.getInputStream())));
+    }
+  }
+
   /**
-   * Computes a run in a new process.
+   * Starts the process, which waits for its model: while that is on its way, Java starts.
    *
+   * @throws IOException if it cannot be started
+   */
+  public synchronized void begin() throws IOException {
+    if (talk.isEmpty()) {
+      Process started =
+          Confinement.start(
+              confinement
+                  .command(bounds, WorkerMain.class, List.of())
+                  .redirectError(ProcessBuilder.Redirect.DISCARD));
+      process = Optional.of(started);
+      talk = Optional.of(Talk.with(started));
+    }
+  }
+
+  /**
+   * Asks the process what its model is; its run continues in the same process.
+   *
+   * @throws IllegalArgumentException if the model refuses to be made; the message names the reason
+   * @throws WorkerLostException if the process has ended, or does not answer
+   * @throws IOException if no process can be started
+   */
+  public WorkerDescription describe(WorkerModel model) throws IOException {
+    Talk started = talk();
+    described = true;
+    AtomicBoolean late = new AtomicBoolean();
+    ScheduledFuture<?> patience =
+        IMPATIENT.schedule(
+            () -> {
+              late.set(true);
+              Confinement.end(started.process());
+            },
+            LONGEST_DESCRIPTION_SECONDS,
+            TimeUnit.SECONDS);
+    boolean answered = false;
+    try {
+      send(
+          started.out(),
+          () -> {
+            model.write(started.out());
+            started.out().writeByte(WorkerMain.DESCRIBE);
+          });
+      WorkerDescription description = answer(started.in());
+      answered = true;
+      return description;
+    } catch (StreamCorruptedException e) {
+      throw makesNoSense(e);
+    } catch (PeerGoneException e) {
+      if (late.get()) {
+        throw new WorkerLostException(
+            MessageCode.WORKER_ENDED,
+            "the process of the model has not described it within "
+                + LONGEST_DESCRIPTION_SECONDS
+                + " s.",
+            ASK_CLASSES);
+      }
+      throw lost(started.process(), bounds.heapBytes());
+    } finally {
+      patience.cancel(false);
+      if (!answered) {
+        close();
+      }
+    }
+  }
+
+  private static WorkerDescription answer(DataInputStream in) throws IOException {
+    byte kind = receive(in::readByte);
+    return switch (kind) {
+      case WorkerMain.DESCRIPTION -> receive(() -> WorkerDescription.read(in));
+      case WorkerMain.REFUSED -> throw refused(in);
+      case WorkerMain.THROWN -> throw thrown(in);
+      default -> throw new StreamCorruptedException("a message of the kind " + kind);
+    };
+  }
+
+  private synchronized Talk talk() throws IOException {
+    begin();
+    return talk.orElseThrow();
+  }
+
+  /**
+   * Computes a run, in a new process if there is none that has described the model.
+   *
+   * @param order of a run, of the model that the process has described
    * @param sink takes the rows
    * @param control steers and watches
    * @param checkpoints given one where the run is held or stopped, and, while the time between two
@@ -101,33 +215,34 @@ public final class WorkerProcess {
   public WorkerResult run(
       WorkerOrder order, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
-    Process started = start();
-    process = Optional.of(started);
-    Thread watch = new Thread(() -> watch(started, control), "mechservice-worker-watch");
+    Talk with = talk();
+    boolean hasModel = described;
+    Thread watch = new Thread(() -> watch(with.process(), control), "mechservice-worker-watch");
     watch.setDaemon(true);
     watch.start();
-    try (DataOutputStream out =
-            new DataOutputStream(new BufferedOutputStream(started.getOutputStream()));
-        DataInputStream in =
-            new DataInputStream(new BufferedInputStream(started.getInputStream()))) {
-      return new Dialogue(in, out, sink, control, checkpoints).hold(order);
+    try (DataOutputStream out = with.out();
+        DataInputStream in = with.in()) {
+      return new Dialogue(in, out, sink, control, checkpoints).hold(order, hasModel);
     } catch (StreamCorruptedException e) {
-      throw new WorkerLostException(
-          MessageCode.WORKER_ENDED,
-          "the process of the run sent what makes no sense: " + e.getMessage() + ".",
-          ASK_CLASSES);
+      throw makesNoSense(e);
     } catch (PeerGoneException e) {
-      throw lost(started, bounds.heapBytes());
+      throw lost(with.process(), bounds.heapBytes());
     } finally {
-      started.destroyForcibly();
+      Confinement.end(with.process());
     }
   }
 
-  private Process start() throws IOException {
-    return confinement
-        .command(bounds, WorkerMain.class, List.of())
-        .redirectError(ProcessBuilder.Redirect.DISCARD)
-        .start();
+  private static WorkerLostException makesNoSense(StreamCorruptedException e) {
+    return new WorkerLostException(
+        MessageCode.WORKER_ENDED,
+        "the process of the run sent what makes no sense: " + e.getMessage() + ".",
+        ASK_CLASSES);
+  }
+
+  /** Ends the process, if there is one. */
+  @Override
+  public void close() {
+    process.ifPresent(Confinement::end);
   }
 
   /** Stops the worker on request; kills it if it does not end by itself. */
@@ -138,16 +253,16 @@ public final class WorkerProcess {
           started.getOutputStream().write(WorkerMain.STOP);
           started.getOutputStream().flush();
           if (!started.waitFor(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
-            started.destroyForcibly();
+            Confinement.end(started);
           }
           return;
         }
       }
     } catch (IOException e) {
-      started.destroyForcibly(); // it does not even listen
+      Confinement.end(started); // it does not even listen
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      started.destroyForcibly();
+      Confinement.end(started);
     }
   }
 
@@ -230,10 +345,18 @@ public final class WorkerProcess {
       this.checkpoints = checkpoints;
     }
 
-    WorkerResult hold(WorkerOrder order) throws IOException {
+    /**
+     * @param hasModel whether the worker has the model of the order already
+     */
+    WorkerResult hold(WorkerOrder order, boolean hasModel) throws IOException {
       CheckpointOrder ofCheckpoints = CheckpointOrder.of(checkpoints);
       send(
+          out,
           () -> {
+            if (!hasModel) {
+              order.model().write(out);
+            }
+            out.writeByte(WorkerMain.RUN);
             order.write(out);
             ofCheckpoints.write(out);
           });
@@ -248,23 +371,11 @@ public final class WorkerProcess {
           case WorkerMain.END -> {
             return receive(() -> WorkerResult.read(in));
           }
-          case WorkerMain.REFUSED -> throw refused();
-          case WorkerMain.THROWN -> throw thrown();
+          case WorkerMain.REFUSED -> throw refused(in);
+          case WorkerMain.THROWN -> throw thrown(in);
           default -> throw new StreamCorruptedException("a message of the kind " + kind);
         }
       }
-    }
-
-    private WorkerLostException thrown() throws IOException {
-      return new WorkerLostException(
-          MessageCode.WORKER_ENDED,
-          "the process of the run failed: " + receive(() -> WellFormedText.of(in.readUTF())) + ".",
-          ASK_CLASSES);
-    }
-
-    private IllegalArgumentException refused() throws IOException {
-      String why = receive(() -> WellFormedText.of(in.readUTF()));
-      return new IllegalArgumentException(why);
     }
 
     private List<Variable> columns() throws IOException {
@@ -322,7 +433,7 @@ public final class WorkerProcess {
       } else {
         answer = WorkerMain.STOP;
       }
-      send(() -> out.writeByte(answer));
+      send(out, () -> out.writeByte(answer));
     }
 
     private boolean isDue(double time, double stepSize, int order, long steps) {
@@ -330,36 +441,46 @@ public final class WorkerProcess {
       return Double.isFinite(between)
           && (between == 0 || control.holdsAt(time, stepSize, order, steps));
     }
+  }
 
-    private interface Reading<T> {
-      T read() throws IOException;
+  private static WorkerLostException thrown(DataInputStream in) throws IOException {
+    return new WorkerLostException(
+        MessageCode.WORKER_ENDED,
+        "the process of the run failed: " + receive(() -> WellFormedText.of(in.readUTF())) + ".",
+        ASK_CLASSES);
+  }
+
+  private static IllegalArgumentException refused(DataInputStream in) throws IOException {
+    String why = receive(() -> WellFormedText.of(in.readUTF()));
+    return new IllegalArgumentException(why);
+  }
+
+  private interface Reading<T> {
+    T read() throws IOException;
+  }
+
+  private interface Writing {
+    void write() throws IOException;
+  }
+
+  /** A row that cannot be kept is the host's trouble; a message that does not come, the worker's. */
+  private static <T> T receive(Reading<T> message)
+      throws PeerGoneException, StreamCorruptedException {
+    try {
+      return message.read();
+    } catch (StreamCorruptedException | UTFDataFormatException e) {
+      throw new StreamCorruptedException(String.valueOf(e.getMessage()));
+    } catch (IOException e) {
+      throw new PeerGoneException(e);
     }
+  }
 
-    private interface Writing {
-      void write() throws IOException;
-    }
-
-    /**
-     * A row that cannot be kept is the host's trouble; a message that does not come, the worker's.
-     */
-    private static <T> T receive(Reading<T> message)
-        throws PeerGoneException, StreamCorruptedException {
-      try {
-        return message.read();
-      } catch (StreamCorruptedException | UTFDataFormatException e) {
-        throw new StreamCorruptedException(String.valueOf(e.getMessage()));
-      } catch (IOException e) {
-        throw new PeerGoneException(e);
-      }
-    }
-
-    private void send(Writing message) throws PeerGoneException {
-      try {
-        message.write();
-        out.flush();
-      } catch (IOException e) {
-        throw new PeerGoneException(e);
-      }
+  private static void send(DataOutputStream out, Writing message) throws PeerGoneException {
+    try {
+      message.write();
+      out.flush();
+    } catch (IOException e) {
+      throw new PeerGoneException(e);
     }
   }
 }

@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard.worker;
 
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.WellFormedText;
 
@@ -19,6 +20,13 @@ import org.mechservice.solver.text.WellFormedText;
  */
 public record WorkerResult(Map<String, Object> report, Outcome outcome) {
   private static final int MOST_ENTRIES = 1000;
+
+  /** Returns the result with one more note in its report. */
+  public WorkerResult with(RunNotes.Note note) {
+    Map<String, Object> noted = new LinkedHashMap<>(report);
+    noted.merge("notes", note.message(), (before, more) -> before + "\n" + more);
+    return new WorkerResult(noted, outcome);
+  }
 
   void write(DataOutputStream out) throws IOException {
     out.writeInt(report.size());

@@ -1,4 +1,4 @@
-package org.mechservice.sim.compile;
+package org.mechservice.guard;
 
 import java.util.SortedMap;
 import java.util.TreeMap;

@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.sim.service.run;
 
 import java.util.ArrayList;
 import java.util.List;

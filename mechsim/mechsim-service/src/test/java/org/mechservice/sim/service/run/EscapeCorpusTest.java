@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.sim.service.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -29,11 +29,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.guard.Confinement;
 import org.mechservice.guard.WorkerBounds;
+import org.mechservice.guard.worker.WorkerLostException;
+import org.mechservice.guard.worker.WorkerModel;
+import org.mechservice.guard.worker.WorkerOrder;
+import org.mechservice.guard.worker.WorkerProcess;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.sim.service.library.LoadedModel;
 import org.mechservice.sim.user.PushedCart;
 import org.mechservice.sim.user.UserFile;
-import org.mechservice.sim.worker.EscapeCorpus.Way;
+import org.mechservice.sim.service.run.EscapeCorpus.Way;
 import org.mechservice.solver.api.UserForce;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.ConstantDynamic;
@@ -379,7 +383,10 @@ class EscapeCorpusTest {
 
   private static WorkerOrder with(WorkerOrder base, Map<String, byte[]> classes) {
     return new WorkerOrder(
-        base.className(), base.classFiles(), new TreeMap<>(classes), base.values(), base.request());
+        new WorkerModel(
+            base.model().className(), base.model().classFiles(), new TreeMap<>(classes)),
+        base.values(),
+        base.request());
   }
 
   /** Returns the outcome, in words. */

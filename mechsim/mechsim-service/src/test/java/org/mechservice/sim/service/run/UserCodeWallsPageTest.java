@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.sim.service.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -18,6 +18,9 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.guard.Confinement;
 import org.mechservice.guard.ConfinementTest;
 import org.mechservice.guard.WorkerBounds;
+import org.mechservice.guard.worker.WorkerMain;
+import org.mechservice.guard.worker.WorkerOrder;
+import org.mechservice.guard.worker.WorkerProcess;
 
 /** Writes down what the wall of this machine keeps in, and what it costs. */
 @Tag("soak")

@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard.worker;
 
 import java.io.DataInputStream;
 import java.io.DataOutputStream;

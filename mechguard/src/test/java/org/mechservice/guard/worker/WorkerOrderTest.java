@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard.worker;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -25,10 +25,12 @@ class WorkerOrderTest {
         new RunSettings(0, 2, 0.25, "ode113", 1e-10, 1e-12).withAccuracy(Accuracy.STRICT);
     RunRequest request = new RunRequest(settings, Set.of(ColumnGroup.ENERGY), strict, maxDrift);
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    new WorkerOrder("A", new TreeMap<>(), new TreeMap<>(), Map.of("p", "1"), request)
+    WorkerModel model = new WorkerModel("A", new TreeMap<>(), new TreeMap<>());
+    new WorkerOrder(model, Map.of("p", "1"), request)
         .write(new DataOutputStream(bytes));
     RunRequest read =
-        WorkerOrder.read(new DataInputStream(new ByteArrayInputStream(bytes.toByteArray())))
+        WorkerOrder.read(
+                model, new DataInputStream(new ByteArrayInputStream(bytes.toByteArray())))
             .request();
     assertThat(read).isEqualTo(request);
     return read;
