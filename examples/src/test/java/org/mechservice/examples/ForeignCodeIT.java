@@ -6,41 +6,26 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
-import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Each command with each way of bringing code, started as users do: nothing of it runs without
  * consent, nothing gets out with it, and what is harmless runs behind both walls.
  */
 class ForeignCodeIT {
-  /** Each command that reads a model and may run it; m.xml is the model. */
-  private static final List<String> COMMANDS =
-      List.of(
-          "check m.xml",
-          "simulate m.xml",
-          "simulate m.xml --mode local",
-          "simulate m.xml --out r.glb",
-          "build m.xml -o m.jar",
-          "view m.xml -o m.html",
-          "report m.xml -o report --budget 5",
-          "sweep m.xml --set k=1:2:2",
-          "study s.xml -o s.csv",
-          "optimise m.xml --minimise max(e) --by k=0:1",
-          "identify m.xml --data data.csv --by k=0:1",
-          "gradient m.xml --of last(e) --by k");
-
   @TempDir private Path folder;
 
   static Stream<String> commands() {
-    return COMMANDS.stream();
+    return CodePaths.COMMANDS.stream();
   }
 
   @BeforeEach
@@ -68,33 +53,49 @@ class ForeignCodeIT {
     DraggedBob.writeSource(folder, inClass, inDeclare, inApply);
   }
 
-  /** Turns the source into a class file. */
-  private void compile() throws IOException {
-    Path source = folder.resolve("Drag.java");
-    String classPath = System.getProperty("java.class.path");
-    String[] words = {"--release", "17", "-cp", classPath, "-d", folder.toString(), "" + source};
-    assertThat(ToolProvider.getSystemJavaCompiler().run(null, null, null, words)).isZero();
-    Files.delete(source);
-  }
-
   private Terminal.Ended mech(String command, String... more) {
     List<String> words = new ArrayList<>(List.of(command.split(" ", -1)));
     words.addAll(List.of(more));
     return new Terminal(folder).mech(words.toArray(String[]::new));
   }
 
-  @MethodSource("commands")
-  @ParameterizedTest
-  void codeBesideTheModelDoesNotRunUnasked(String command) throws IOException {
-    writeSource("static { " + escape() + " }", escape(), escape());
-    Terminal.Ended ended = mech(command);
-    assertThat(ended.exitStatus()).as(ended.toString()).isNotZero();
-    assertThat(ended.stderr()).contains("S-169", "--user-code " + folder.toRealPath());
+  static Stream<CodePaths.Way> ways() {
+    return CodePaths.ways();
+  }
 
-    compile();
-    Terminal.Ended compiled = mech(command);
-    assertThat(compiled.exitStatus()).as(compiled.toString()).isNotZero();
-    assertThat(compiled.stderr()).contains("S-169");
+  /** Each way of bringing code, by each command: refused by name, and nothing of it has run. */
+  @MethodSource("ways")
+  @ParameterizedTest
+  void codeThatNobodyConsentedToDoesNotRun(CodePaths.Way way) throws IOException {
+    way.into(folder);
+    for (String command : CodePaths.COMMANDS) {
+      way.refusedBy("'" + WorkingTree.MECH + "'", command, new Terminal(folder), folder);
+    }
+  }
+
+  @Test
+  void refusalSaysHowToConsent() throws IOException {
+    writeSource("", "", "");
+    assertThat(mech("simulate m.xml").stderr())
+        .contains("S-169", "--user-code " + folder.toRealPath());
+  }
+
+  /** Settings of the ORB in the working folder, which a model may have come with. */
+  @Test
+  void settingsBesideTheModelAreNotRead() throws IOException {
+    String settings =
+        "jacorb.logfile="
+            + escaped()
+            + "\njacorb.log.default.verbosity=4\n"
+            + "org.omg.PortableInterceptor.ORBInitializerClass.evil=Evil\n"
+            + "custom.props="
+            + folder.resolve("more.properties")
+            + "\n";
+    for (String name : List.of("orb", "jacorb", "more", "atlas")) {
+      Files.writeString(folder.resolve(name + ".properties"), settings);
+    }
+    Files.copy(WorkingTree.PENDULUM, folder.resolve("p.xml"));
+    mech("simulate p.xml --out r.csv").orFail();
     assertThat(escaped()).doesNotExist();
   }
 
@@ -136,14 +137,108 @@ class ForeignCodeIT {
         .anyMatch(place -> Files.isExecutable(Path.of(place, "bwrap")));
   }
 
-  @Test
-  void runThatIsUnconfinedSaysSo() throws IOException {
-    assumeTrue(!confines(), "this machine confines");
+  /** A machine whose bubblewrap does not work. */
+  private Terminal.Ended mechWithoutWall(String command) throws IOException {
+    Path fake = Files.createDirectories(folder.resolve("bin")).resolve("bwrap");
+    Files.writeString(fake, "#!/bin/sh\nexit 1\n");
+    Files.setPosixFilePermissions(fake, PosixFilePermissions.fromString("rwxr-xr-x"));
+    return new Terminal(folder)
+        .shell("PATH=\"$PWD/bin:$PATH\" " + WorkingTree.MECH + " " + command);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"simulate m.xml", "simulate m.xml --mode local", "sweep m.xml --set k=1:2:2"})
+  void withoutAWallCodeRunsOnlyIfItIsAskedForAndSaysSo(String command) throws IOException {
     writeSource("", "", "");
-    for (String command :
-        List.of("simulate m.xml", "simulate m.xml --mode local", "sweep m.xml --set k=1:2:2")) {
-      Terminal.Ended ended = mech(command, "--user-code", ".", "--unconfined").orFail();
-      assertThat(ended.stdout() + ended.stderr()).contains("S-175");
+    Terminal.Ended refused = mechWithoutWall(command + " --user-code .");
+    assertThat(refused.exitStatus()).as(refused.toString()).isNotZero();
+    assertThat(refused.stderr()).contains("S-168", "--unconfined");
+    Terminal.Ended ended = mechWithoutWall(command + " --user-code . --unconfined").orFail();
+    assertThat(ended.stdout() + ended.stderr()).contains("S-175");
+  }
+
+  /** What a server has generated runs on the client's machine behind the same walls. */
+  @Test
+  void modelOfAServerRunsConfinedOrNotAtAll() throws IOException {
+    int port = Service.freePort();
+    String pendulum = WorkingTree.PENDULUM.toString();
+    try (Terminal.Running server = Service.startServer(folder, port)) {
+      assertThat(server.stdout()).isNotEmpty();
+      String local = "simulate " + pendulum + " --server " + Service.url(port) + " --mode local";
+      mech("simulate " + pendulum + " --out right.csv").orFail();
+      if (confines()) {
+        mech(local + " --out confined.csv").orFail();
+        assertThat(folder.resolve("confined.csv"))
+            .hasSameBinaryContentAs(folder.resolve("right.csv"));
+      }
+      Terminal.Ended refused = mechWithoutWall(local);
+      assertThat(refused.exitStatus()).as(refused.toString()).isNotZero();
+      assertThat(refused.stderr()).contains("S-168", "come from the server", "--unconfined");
+      Terminal.Ended asked = mechWithoutWall(local + " --unconfined --out asked.csv").orFail();
+      assertThat(asked.stdout() + asked.stderr()).contains("S-175");
+      assertThat(folder.resolve("asked.csv"))
+          .hasSameBinaryContentAs(folder.resolve("right.csv"));
     }
+  }
+
+  /** A client without consent sends no class; a server without it takes none. */
+  @Test
+  void classTravelsToAServerOnlyIfBothSidesConsent() throws IOException {
+    writeSource("static { " + escape() + " }", escape(), escape());
+    for (String operator : List.of("", "--allow-user-code=unconfined")) {
+      int port = Service.freePort();
+      String[] options = operator.isEmpty() ? new String[0] : new String[] {operator};
+      try (Terminal.Running server = Service.startServer(folder, port, options)) {
+        assertThat(server.stdout()).isNotEmpty();
+        for (String mode : List.of("remote", "local")) {
+          String command = "simulate m.xml --server " + Service.url(port) + " --mode " + mode;
+          Terminal.Ended unasked = mech(command);
+          assertThat(unasked.exitStatus()).as(unasked.toString()).isNotZero();
+          assertThat(unasked.stderr()).contains("S-169");
+          Terminal.Ended asked = mech(command, "--user-code", ".");
+          assertThat(asked.exitStatus()).as(asked.toString()).isNotZero();
+          assertThat(asked.stderr())
+              .as(asked.toString())
+              .contains(operator.isEmpty() ? "S-122" : "S-156");
+        }
+      }
+    }
+    assertThat(escaped()).doesNotExist();
+  }
+
+  /** A program with the library on its class path, as the documentation starts one. */
+  @Test
+  void libraryRefusesWhatNobodyConsentedTo() throws IOException {
+    writeSource("static { " + escape() + " }", escape(), escape());
+    Files.writeString(
+        folder.resolve("Try.java"),
+        "import java.nio.file.Path; import org.mechservice.library.MechModel; class Try {"
+            + " public static void main(String[] a) throws Exception {"
+            + " MechModel.read(Path.of(\"m.xml\")).simulate(); } }");
+    Path jar = WorkingTree.TOP.resolve("mechcli/target/mechcli.jar");
+    Terminal.Ended ended = new Terminal(folder).shell("java -cp '" + jar + "' Try.java");
+    assertThat(ended.exitStatus()).as(ended.toString()).isNotZero();
+    assertThat(ended.stderr()).contains("S-169", "UserCode.in");
+    assertThat(escaped()).doesNotExist();
+  }
+
+  @Test
+  void pythonRefusesWhatNobodyConsentedTo() throws IOException {
+    Path python = WorkingTree.TOP.resolve("python/.venv/bin/python");
+    assumeTrue(Files.isExecutable(python), "it needs python/.venv, which .ci/run makes");
+    Terminal terminal = new Terminal(folder);
+    terminal.run(WorkingTree.TOP.resolve("python/take-jars").toString()).orFail();
+    writeSource("static { " + escape() + " }", escape(), escape());
+    Terminal.Ended ended =
+        terminal.shell(
+            "PYTHONPATH='"
+                + WorkingTree.TOP.resolve("python/src")
+                + "' '"
+                + python
+                + "' -c \"import mechservice; mechservice.read('m.xml').simulate()\"");
+    assertThat(ended.exitStatus()).as(ended.toString()).isNotZero();
+    assertThat(ended.stderr()).contains("S-169", "user_code");
+    assertThat(escaped()).doesNotExist();
   }
 }

@@ -91,6 +91,18 @@ class ReleaseArchiveIT {
         .hasSameBinaryContentAs(directory.resolve("built.csv"));
   }
 
+  /** The same refusals as a source build, on a Java without compiler. */
+  @Test
+  void codeThatNobodyConsentedToDoesNotRun() throws IOException {
+    for (CodePaths.Way way : CodePaths.ways().toList()) {
+      Path folder = Files.createTempDirectory(directory, "way");
+      way.into(folder);
+      for (String command : CodePaths.COMMANDS) {
+        way.refusedBy(mech, command, new Terminal(folder), folder);
+      }
+    }
+  }
+
   @Test
   void onlySourcesOfForcesNeedACompiler() {
     Terminal.Ended refused =

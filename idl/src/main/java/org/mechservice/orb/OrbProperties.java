@@ -30,6 +30,21 @@ final class OrbProperties {
   private static final String ENCRYPTED = "20";
   private static final String MUTUAL = "60";
 
+  /**
+   * Where the ORB seeks a file of its own settings; else in the working folder, where a model may
+   * have come with one. Those of the user's home and of Java stay.
+   */
+  private static final String SETTINGS_FOLDER = "jacorb.config.dir";
+
+  private static final String NO_SETTINGS = System.getProperty("java.home");
+
+  static {
+    // The ORB that makes type codes takes no properties.
+    if (System.getProperty(SETTINGS_FOLDER) == null) {
+      System.setProperty(SETTINGS_FOLDER, NO_SETTINGS);
+    }
+  }
+
   private OrbProperties() {}
 
   /** Properties of a client: it connects to any address and serves callbacks only. */
@@ -90,6 +105,7 @@ final class OrbProperties {
     properties.setProperty("org.omg.CORBA.ORBClass", org.jacorb.orb.ORB.class.getName());
     properties.setProperty(
         "org.omg.CORBA.ORBSingletonClass", org.jacorb.orb.ORBSingleton.class.getName());
+    properties.setProperty(SETTINGS_FOLDER, NO_SETTINGS);
     properties.setProperty("jacorb.orb.print_version", "off");
     properties.setProperty("jacorb.log.default.verbosity", "2");
     // Otherwise it follows the JVM's default encoding.

@@ -6,6 +6,7 @@ import java.lang.reflect.Method;
 import java.util.Collections;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
+import org.mechservice.guard.ModelClassLoader;
 import org.mechservice.sim.emit.bytes.MethodSizes;
 
 class CompactLocalsTest {
