@@ -1,14 +1,19 @@
 package org.mechservice.examples;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A run saved with --checkpoint and continued with --resume. */
@@ -54,5 +59,108 @@ class CheckpointIT {
     Terminal.Ended lost = terminal.mech("simulate", BALL, "--out", "all.csv", "--resume", "c");
     assertThat(lost.exitStatus()).isEqualTo(2);
     assertThat(lost.stderr()).contains("S-074");
+  }
+
+  /** A run of minutes that is ended by the operating system's signal, at once and after a while. */
+  @CsvSource({"remote, 0", "local, 0", "remote, 1", "local, 1"})
+  @ParameterizedTest
+  void runThatIsEndedLeavesWhatItsRestNeeds(String mode, int rows) throws Exception {
+    Terminal terminal = new Terminal(directory);
+    String[] words = {
+      "simulate",
+      WorkingTree.PENDULUM.toString(),
+      "--mode",
+      mode,
+      "--t-end",
+      "20000",
+      "--t-step",
+      "1",
+      "--out"
+    };
+    List<String> first = new ArrayList<>(List.of(words));
+    first.addAll(List.of("first.csv", "--checkpoint", "c"));
+    try (Terminal.Running run = terminal.startMech(first.toArray(String[]::new))) {
+      run.awaitThat("the file of its rows", () -> bytesSoFar() >= rows);
+      run.terminate();
+      Terminal.Ended ended = run.awaitEnd();
+      assumeTrue(!ended.stdout().contains("completed"), "the run was over before it was ended");
+      assertThat(ended.exitStatus()).as(ended.toString()).isEqualTo(143);
+    }
+    if (!Files.exists(directory.resolve("c"))) {
+      // It was ended before it began: there is no row, and nothing to continue.
+      assertThat(rows).isZero();
+      assertThat(lines(directory.resolve("first.csv"))).isLessThanOrEqualTo(1);
+      return;
+    }
+    List<String> rest = new ArrayList<>(List.of(words));
+    rest.addAll(List.of("rest.csv", "--resume", "c", "--quiet"));
+    terminal.mech(rest.toArray(String[]::new)).orFail();
+    List<String> whole = new ArrayList<>(List.of(words));
+    whole.addAll(List.of("whole.csv", "--quiet"));
+    terminal.mech(whole.toArray(String[]::new)).orFail();
+    List<String> joined = new ArrayList<>(Files.readAllLines(directory.resolve("first.csv")));
+    List<String> after = Files.readAllLines(directory.resolve("rest.csv"));
+    joined.addAll(after.subList(1, after.size()));
+    assertThat(joined).isEqualTo(Files.readAllLines(directory.resolve("whole.csv")));
+  }
+
+  /** Returns the size of the file that becomes first.csv when the command ends; -1: not there. */
+  private long bytesSoFar() {
+    try (Stream<Path> files = Files.list(directory)) {
+      return files
+          .filter(file -> file.getFileName().toString().startsWith(".first.csv-"))
+          .mapToLong(file -> file.toFile().length())
+          .findFirst()
+          .orElse(-1);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static long lines(Path file) {
+    try (Stream<String> lines = Files.lines(file)) {
+      return lines.count();
+    } catch (IOException | UncheckedIOException e) {
+      return 0;
+    }
+  }
+
+  /** What is to save a run does not end it: a disk without room for it. */
+  @Test
+  void checkpointThatCannotBeWrittenIsToldAndTheRunGoesOn() {
+    Terminal.Ended ended =
+        new Terminal(directory)
+            .shell(
+                "ulimit -f 4; "
+                    + WorkingTree.MECH
+                    + " simulate "
+                    + BALL
+                    + " --checkpoint c --every 0 --quiet >out.txt 2>err.txt; status=$?; ulimit -f"
+                    + " unlimited 2>/dev/null; cat err.txt; exit $status");
+    assertThat(ended.exitStatus()).as(ended.toString()).isZero();
+    assertThat(ended.stdout())
+        .contains("S-075 the run goes on without a new checkpoint")
+        .doesNotContain("\tat ");
+    assertThat(directory.resolve("c")).doesNotExist();
+  }
+
+  /** A model that cannot go on keeps the checkpoint from before, and no half of one. */
+  @Test
+  void runThatFailsKeepsItsLastCheckpoint() throws IOException {
+    Files.writeString(
+        directory.resolve("m.xml"),
+        Files.readString(WorkingTree.PENDULUM)
+            .replaceFirst(
+                "<Forces>",
+                "<Forces><jointForce name=\"f\" joint=\"j1\" expression=\"1/(0.5-t)\"/>"));
+    Terminal terminal = new Terminal(directory);
+    Terminal.Ended failed =
+        terminal.mech("simulate", "m.xml", "--checkpoint", "c", "--every", "0", "--out", "r.csv");
+    assertThat(failed.exitStatus()).as(failed.toString()).isEqualTo(1);
+    assertThat(failed.stdout() + failed.stderr()).contains("N-003").doesNotContain("\tat ");
+    assertThat(directory.resolve("c")).isNotEmptyFile();
+    Terminal.Ended again = terminal.mech("simulate", "m.xml", "--resume", "c", "--out", "s.csv");
+    assertThat(again.exitStatus()).as(again.toString()).isEqualTo(1);
+    assertThat(again.stdout() + again.stderr()).contains("N-003");
   }
 }

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -56,6 +57,66 @@ class HostileFilesIT {
           .contains("S-042")
           .contains("a link out of the model's folder");
     }
+  }
+
+  /** What else a model reads from files: tables and meshes. */
+  @Test
+  void tableAndMeshThatAreLinksOutOfTheFolder() throws IOException {
+    Path model = Files.createDirectory(folder.resolve("model"));
+    Files.writeString(folder.resolve("secret.csv"), "t,x\n0,0\n1,1\n");
+    Files.writeString(folder.resolve("secret.stl"), "solid s\nendsolid s\n");
+    for (String end : new String[] {"csv", "stl"}) {
+      Files.createSymbolicLink(model.resolve("a." + end), folder.resolve("secret." + end));
+    }
+    String pendulum = Files.readString(WorkingTree.PENDULUM);
+    String table = "<Tables><table name=\"w\" file=\"a.csv\"/></Tables>";
+    Files.writeString(
+        model.resolve("t.xml"), pendulum.replaceFirst("<Bodies>", table + "<Bodies>"));
+    assertThat(refused("check", "model/t.xml").stderr())
+        .contains("S-042")
+        .contains("a link out of the model's folder");
+    Files.writeString(
+        model.resolve("g.xml"),
+        pendulum.replaceFirst("<body name=\"bar1\"", "<body name=\"bar1\" graphSrc=\"a.stl\""));
+    assertThat(simplyDrawn("model/g.xml")).contains("a.stl", "a link that leads out of the model");
+  }
+
+  /** Half a megabyte that stands for a thousand million corners. */
+  @Test
+  void meshThatClaimsMoreThanItHolds() throws IOException {
+    int corners = 100_000;
+    byte[] data = new byte[12 * corners];
+    String primitive = "{\"attributes\":{\"POSITION\":0}}";
+    String text =
+        "{'asset':{'version':'2.0'},'scenes':[{'nodes':[0]}],'scene':0,'nodes':[{'mesh':0}],"
+            + "'meshes':[{'primitives':[%s]}],'accessors':[{'bufferView':0,'componentType':5126,"
+            + "'count':%d,'type':'VEC3'}],'bufferViews':[{'buffer':0,'byteLength':%d}],"
+            + "'buffers':[{'byteLength':%d,'uri':'data:application/octet-stream;base64,%s'}]}";
+    Files.writeString(
+        folder.resolve("shared.gltf"),
+        text.replace('\'', '"')
+            .formatted(
+                (primitive + ",").repeat(9998) + primitive,
+                corners,
+                data.length,
+                data.length,
+                Base64.getEncoder().encodeToString(data)));
+    Files.writeString(
+        folder.resolve("m.xml"),
+        Files.readString(WorkingTree.PENDULUM)
+            .replaceFirst("<body name=\"bar1\"", "<body name=\"bar1\" graphSrc=\"shared.gltf\""));
+    assertThat(simplyDrawn("m.xml")).contains("shared.gltf", "more than 1000000 triangles");
+  }
+
+  /** Returns what is said of a mesh that is not used; the picture is made without it. */
+  private String simplyDrawn(String model) {
+    String said = "";
+    for (String target : new String[] {"p.html", "p.glb"}) {
+      Terminal.Ended ended = new Terminal(folder).mech("view", model, "-o", target).orFail();
+      said = ended.stdout() + ended.stderr();
+      assertThat(said).contains("drawn as a simple shape").doesNotContain("\tat ", "Exception");
+    }
+    return said;
   }
 
   /** Whatever needs too much memory says how to give it more. */

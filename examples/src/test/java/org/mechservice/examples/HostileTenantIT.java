@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -172,6 +173,104 @@ class HostileTenantIT {
         bombs.forEach(Terminal.Running::close);
       }
       terminal.mech(pendulum).orFail();
+    }
+  }
+
+  /** A client that goes away in the middle of a build that would take minutes. */
+  @Test
+  void buildEndsWithItsClient() throws Exception {
+    Files.writeString(folder.resolve("loops.xml"), loops(4000));
+    int port = Service.freePort();
+    String url = Service.url(port);
+    Terminal terminal = new Terminal(folder);
+    try (Terminal.Running server = Service.startServer(folder, port)) {
+      try (Terminal.Running bomb = terminal.startMech("check", "loops.xml", "--server", url)) {
+        server.awaitThat("the process that builds", () -> busiestSeconds(port) > 3);
+        bomb.terminate();
+        bomb.awaitEnd();
+      }
+      server.awaitThat("its end", () -> busiestSeconds(port) <= 3);
+    }
+  }
+
+  /** Returns the processor time of the child of a server that has most of it, s. */
+  private static long busiestSeconds(int port) {
+    return ProcessHandle.current()
+        .descendants()
+        .filter(p -> p.info().commandLine().orElse("").contains("server --port " + port))
+        .flatMap(ProcessHandle::descendants)
+        .filter(ProcessHandle::isAlive)
+        .mapToLong(p -> p.info().totalCpuDuration().orElse(Duration.ZERO).toSeconds())
+        .max()
+        .orElse(0);
+  }
+
+  /** With what is free on a disk far below what the operator wants to stay free. */
+  @Test
+  void fullDiskIsToldAsSuch() throws Exception {
+    int port = Service.freePort();
+    String url = Service.url(port);
+    Terminal terminal = new Terminal(folder);
+    String[] asked = {
+      "simulate",
+      WorkingTree.PENDULUM.toString(),
+      "--server",
+      url,
+      "--t-end",
+      "1e6",
+      "--t-step",
+      "1e-3",
+      "--out",
+      "r.csv"
+    };
+    try (Terminal.Running server =
+        Service.startServer(
+            folder, port, "--spool", "spool", "--limit", "freeDisk=100000000000000000")) {
+      assertThat(server.stdout()).contains(url);
+      Terminal.Ended refused = terminal.mech(asked);
+      assertThat(refused.exitStatus()).as(refused.toString()).isNotZero();
+      assertThat(refused.stderr()).contains("S-174").doesNotContain("t-step", "\tat ");
+    }
+  }
+
+  /** A server of a source build finds the wall that the machine has, and says which. */
+  @Test
+  void serverConfinesClassesOfUsersOrRunsNone() throws Exception {
+    Files.writeString(folder.resolve("m.xml"), DraggedBob.MODEL);
+    DraggedBob.writeSource(folder, "", "", "");
+    Path fake = Files.createDirectories(folder.resolve("bin")).resolve("bwrap");
+    Files.writeString(fake, "#!/bin/sh\nexit 1\n");
+    Files.setPosixFilePermissions(fake, PosixFilePermissions.fromString("rwxr-xr-x"));
+    Terminal terminal = new Terminal(folder);
+    for (String consent : List.of("confined", "unconfined")) {
+      for (boolean wall : new boolean[] {true, false}) {
+        int port = Service.freePort();
+        String url = Service.url(port);
+        String start =
+            (wall ? "" : "PATH=\"$PWD/bin:$PATH\" ")
+                + "exec "
+                + WorkingTree.MECH
+                + " server --port "
+                + port
+                + " --allow-user-code="
+                + consent;
+        try (Terminal.Running server = terminal.start("sh", "-c", start)) {
+          server.awaitThat("its URL", () -> server.stdout().contains(url));
+          Terminal.Ended run =
+              terminal.mech(
+                  "simulate", "m.xml", "--server", url, "--user-code", ".", "--out", "r.csv");
+          if (wall && ForeignCodeIT.confines()) {
+            assertThat(run.exitStatus()).as(run.toString()).isZero();
+            assertThat(run.stdout() + run.stderr()).doesNotContain("S-175");
+          } else if (consent.equals("unconfined")) {
+            assertThat(run.exitStatus()).as(run.toString()).isZero();
+            assertThat(run.stdout() + run.stderr()).contains("S-175");
+          } else {
+            assertThat(run.exitStatus()).as(run.toString()).isNotZero();
+            assertThat(run.stderr()).contains("S-168");
+          }
+        }
+      }
     }
   }
 

@@ -155,4 +155,30 @@ class WaitingClientsIT {
       return false;
     }
   }
+
+  /** A machine without time for a command: it is held for longer than its server may be silent. */
+  @Test
+  void localRunDoesNotEndBecauseTheMachineIsBusy() throws Exception {
+    Terminal terminal = new Terminal(folder);
+    try (Terminal.Running run =
+        terminal.startMech("simulate", WorkingTree.PENDULUM.toString(), "--out", "r.csv")) {
+      for (int i = 0; i < 3; i++) {
+        Thread.sleep(400);
+        Optional<ProcessHandle> held = simulating();
+        if (held.isPresent()) {
+          signal("-STOP", held.get());
+          Thread.sleep(6000);
+          signal("-CONT", held.get());
+        }
+      }
+      run.awaitEnd().orFail();
+    }
+  }
+
+  private Optional<ProcessHandle> simulating() {
+    return ProcessHandle.current()
+        .descendants()
+        .filter(process -> process.info().commandLine().orElse("").contains("mechcli.jar simulate"))
+        .findFirst();
+  }
 }

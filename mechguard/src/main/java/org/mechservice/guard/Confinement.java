@@ -40,6 +40,8 @@ public final class Confinement {
   /** Processes below the command of a wall: its first one within, and Java. */
   private static final int BEHIND_WALL = 2;
 
+  private static final String WALL_SHELL = "/bin/sh";
+
   /** Sets the bounds of the kernel and opens the filter, then becomes what its arguments say. */
   private static final String SHELL =
       "ulimit -c 0 && ulimit -v \"$1\" && ulimit -t \"$2\" && exec 3<\"$3\" && rm -f -- \"$3\""
@@ -100,12 +102,16 @@ public final class Confinement {
             return thread;
           });
 
-  /** Those that have not ended; a program that ends lets their walls become complete. */
-  private static final Set<Process> STARTED = ConcurrentHashMap.newKeySet();
+  /** Processes with a wall that have not ended; a program that ends lets these become complete. */
+  private static final Set<Process> WALLED = ConcurrentHashMap.newKeySet();
 
   static {
-    Thread last = new Thread(() -> STARTED.forEach(Confinement::endWhenComplete), "ends the walls");
-    Runtime.getRuntime().addShutdownHook(last);
+    try {
+      Thread last = new Thread(() -> WALLED.forEach(Confinement::endWhenComplete), "ends walls");
+      Runtime.getRuntime().addShutdownHook(last);
+    } catch (IllegalStateException e) {
+      // The program is ending already.
+    }
   }
 
   private final Optional<Wall> wall;
@@ -306,8 +312,10 @@ public final class Confinement {
   public static Process start(ProcessBuilder command) throws IOException {
     try {
       Process started = STARTER.submit(command::start).get();
-      STARTED.add(started);
-      started.onExit().thenRun(() -> STARTED.remove(started));
+      if (command.command().get(0).equals(WALL_SHELL)) {
+        WALLED.add(started);
+        started.onExit().thenRun(() -> WALLED.remove(started));
+      }
       return started;
     } catch (ExecutionException e) {
       throw new IOException(e.getCause());
@@ -324,7 +332,7 @@ public final class Confinement {
    * @param process of {@link #start}
    */
   public static void end(Process process) {
-    if (!process.isAlive() || isComplete(process)) {
+    if (!WALLED.contains(process) || isComplete(process)) {
       process.destroyForcibly();
       return;
     }
@@ -348,10 +356,9 @@ public final class Confinement {
     }
   }
 
-  /** Returns whether Java runs in a process: itself, or as the second descendant of its wall. */
+  /** Returns whether Java runs behind the wall of a process. */
   private static boolean isComplete(Process process) {
-    String shell = process.info().command().orElse("");
-    return shell.endsWith("/java") || process.descendants().count() >= BEHIND_WALL;
+    return process.descendants().count() >= BEHIND_WALL;
   }
 
   private static void addWall(List<String> command, Wall wall, WorkerBounds bounds)
@@ -363,7 +370,7 @@ public final class Confinement {
             ? Long.toString((bounds.heapBytes() + BESIDE_HEAP) >> 10)
             : "unlimited";
     String time = bounds.cpuSeconds() > 0 ? Long.toString(bounds.cpuSeconds()) : "unlimited";
-    command.addAll(List.of("/bin/sh", "-c", SHELL, "worker", space, time, filter.toString()));
+    command.addAll(List.of(WALL_SHELL, "-c", SHELL, "worker", space, time, filter.toString()));
     command.add(wall.tool().toString());
     command.addAll(List.of("--seccomp", "3"));
     command.addAll(ISOLATION);

@@ -12,11 +12,10 @@
  * org.mechservice.guard.WorkerBounds} what a process may use.
  *
  * <p>A whole run computes behind the walls where a host runs it, or a client what a server has
- * generated (package {@code guard.worker}). A
- * program that runs a model in its own process has a {@link org.mechservice.guard.ForceRelay}: in
- * place of each class of a user the model gets a class of the same name that hands every call on to
- * a confined process, where {@code RelayMain} calls the user's class. The numbers travel as they
- * are, so the results have the same bits.
+ * generated (package {@code guard.worker}). A program that runs a model in its own process has a
+ * {@link org.mechservice.guard.ForceRelay}: in place of each class of a user the model gets a class
+ * of the same name that hands every call on to a confined process, where {@code RelayMain} calls
+ * the user's class. The numbers travel as they are, so the results have the same bits.
  */
 @NullMarked
 package org.mechservice.guard;

@@ -51,8 +51,14 @@ public record SignalTable(List<Variable> columns, List<double[]> values) {
       return table.checked();
     } catch (IOException | RuntimeException e) {
       // The readers of foreign formats report damaged bytes by exceptions of many kinds.
-      throw unreadable(file, String.valueOf(e.getMessage()), e);
+      throw unreadable(file, reason(e), e);
     }
+  }
+
+  /** Returns what an exception says, without the name of its class. */
+  private static String reason(Exception e) {
+    String said = String.valueOf(e.getMessage()).replaceFirst("^(?:[a-z]\\w*\\.)+[A-Z]\\w*: ", "");
+    return e.getMessage() == null || said.isBlank() ? "its bytes make no sense" : said;
   }
 
   private static IOException unreadable(Path file, String why, @Nullable Exception cause) {

@@ -52,7 +52,10 @@ public final class LocalModel {
   public RunRequest request(
       Optional<Set<ColumnGroup>> columns, boolean strict, OptionalDouble maxDrift) {
     return new RunRequest(
-        newModel().description().defaults(), columns.orElse(fetched.jar().shown()), strict, maxDrift);
+        newModel().description().defaults(),
+        columns.orElse(fetched.jar().shown()),
+        strict,
+        maxDrift);
   }
 
   /** Returns the names of the inputs that a program sets between two steps. */

@@ -76,8 +76,7 @@ public record LocalRuns(
         new Thread(
             () -> {
               try {
-                WorkerProcess worker =
-                    new WorkerProcess(Confinement.ofThisMachine(), bounds());
+                WorkerProcess worker = new WorkerProcess(Confinement.ofThisMachine(), bounds());
                 worker.begin();
                 if (!ready.complete(worker)) {
                   worker.close();
@@ -170,7 +169,6 @@ public record LocalRuns(
   }
 
   private static Optional<RunNotes.Note> unconfined(Optional<String> warning) {
-    return warning.map(
-        text -> new RunNotes.Note(MessageCode.USER_CODE_UNCONFINED, 0, true, text));
+    return warning.map(text -> new RunNotes.Note(MessageCode.USER_CODE_UNCONFINED, 0, true, text));
   }
 }

@@ -84,8 +84,7 @@ record VerifiedJar(
 
   /** Returns the column groups that its file selects. */
   Set<ColumnGroup> shown() {
-    return ColumnGroup.of(
-        files.attribute(SHOWN_ATTRIBUTE).orElse(ColumnGroup.JOINTS.label()));
+    return ColumnGroup.of(files.attribute(SHOWN_ATTRIBUTE).orElse(ColumnGroup.JOINTS.label()));
   }
 
   /** Returns the reason for the model's formulation; empty if unknown. */

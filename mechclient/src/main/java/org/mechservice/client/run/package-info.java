@@ -17,7 +17,8 @@
  * keeps the objects at the server alive. {@code FailureReader} and {@code ReportJson} translate
  * what the contract carries into the types of {@code solver.api}.
  *
- * <p>The package depends on {@code client.failure}, the contract, {@code guard} and {@code solver.api}.
+ * <p>The package depends on {@code client.failure}, the contract, {@code guard} and {@code
+ * solver.api}.
  */
 @NullMarked
 package org.mechservice.client.run;

@@ -119,8 +119,7 @@ public final class WorkerMain implements ResultSink {
     ClassLoader classes =
         new ModelClassLoader(model.classFiles(), new UserClassLoader(model.userClassFiles()));
     try {
-      return ModelSource.from(
-          classes.loadClass(model.className()).getConstructor().newInstance());
+      return ModelSource.from(classes.loadClass(model.className()).getConstructor().newInstance());
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException(e);
     }

@@ -463,7 +463,9 @@ public final class WorkerProcess implements AutoCloseable {
     void write() throws IOException;
   }
 
-  /** A row that cannot be kept is the host's trouble; a message that does not come, the worker's. */
+  /**
+   * A row that cannot be kept is the host's trouble; a message that does not come, the worker's.
+   */
   private static <T> T receive(Reading<T> message)
       throws PeerGoneException, StreamCorruptedException {
     try {

@@ -26,11 +26,9 @@ class WorkerOrderTest {
     RunRequest request = new RunRequest(settings, Set.of(ColumnGroup.ENERGY), strict, maxDrift);
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     WorkerModel model = new WorkerModel("A", new TreeMap<>(), new TreeMap<>());
-    new WorkerOrder(model, Map.of("p", "1"), request)
-        .write(new DataOutputStream(bytes));
+    new WorkerOrder(model, Map.of("p", "1"), request).write(new DataOutputStream(bytes));
     RunRequest read =
-        WorkerOrder.read(
-                model, new DataInputStream(new ByteArrayInputStream(bytes.toByteArray())))
+        WorkerOrder.read(model, new DataInputStream(new ByteArrayInputStream(bytes.toByteArray())))
             .request();
     assertThat(read).isEqualTo(request);
     return read;

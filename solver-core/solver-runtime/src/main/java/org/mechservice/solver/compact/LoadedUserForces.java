@@ -22,7 +22,8 @@ public final class LoadedUserForces implements UserForceSource {
   public UserForce create(UserForceElement element) {
     try {
       Class<? extends UserForce> type =
-          Class.forName(element.className(), true, loader).asSubclass(UserForce.class);
+          // Not initialised before it is known what it is.
+          Class.forName(element.className(), false, loader).asSubclass(UserForce.class);
       // For a constructor that is called often, reflection would generate a class that needs
       // classes of Java which loaders of user classes do not find.
       return (UserForce)

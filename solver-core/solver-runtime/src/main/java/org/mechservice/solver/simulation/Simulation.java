@@ -280,6 +280,9 @@ public final class Simulation implements Solver {
       stiffness.ifPresent(samples -> samples.begin(y));
       control.setStates(Optional.of(this::copyState));
       if (!control.proceed(settings.tStart(), 0, 0, 0)) {
+        if (result == StepResult.ADVANCED) {
+          keepIfDue(true);
+        }
         return Optional.of(new Outcome.Stopped());
       }
       return result == StepResult.ADVANCED

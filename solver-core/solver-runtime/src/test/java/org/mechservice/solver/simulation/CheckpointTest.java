@@ -121,6 +121,41 @@ class CheckpointTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"ode113", "DE", "ode15s", "ode15sR", "switching"})
+  void runThatIsStoppedBeforeItsFirstStepLeavesACheckpoint(String integrator) throws IOException {
+    RecordedRows all = new RecordedRows();
+    RunReport whole = run(new ResidualOscillator(), request(integrator), all, Checkpoints.NONE);
+    Kept kept = new Kept("cafe", 3600, Optional.empty());
+    RunControl stopped =
+        new RunControl() {
+          @Override
+          public boolean proceed(double time, double stepSize, int order, long steps) {
+            return false;
+          }
+        };
+    RecordedRows first = new RecordedRows();
+    RunReport report =
+        new RuntimeSolver()
+            .run(new ResidualOscillator(), request(integrator), first, stopped, kept);
+    assertThat(report.outcome()).isEqualTo(new Outcome.Stopped());
+    assertThat(first.rows).hasSize(1);
+    assertThat(kept.checkpoints).hasSize(1);
+
+    RecordedRows rest = new RecordedRows();
+    RunReport resumed =
+        run(
+            new ResidualOscillator(),
+            request(integrator),
+            rest,
+            goingOnFrom(kept.checkpoints.get(0)));
+    first.rows.addAll(rest.rows);
+    assertThat(first.rows).usingRecursiveComparison().isEqualTo(all.rows);
+    assertThat(resumed.steps()).isEqualTo(whole.steps());
+    assertThat(resumed.evaluations()).isEqualTo(whole.evaluations());
+    assertThat(resumed.energyDrift()).isEqualTo(whole.energyDrift());
+  }
+
   @Test
   void checkpointsChangeNothing() throws IOException {
     RecordedRows with = new RecordedRows();

@@ -8,11 +8,11 @@ import java.util.Optional;
 import org.mechservice.guard.Confinement;
 import org.mechservice.guard.UserCode;
 import org.mechservice.guard.WorkerBounds;
-import org.mechservice.sim.model.ModelClasses;
 import org.mechservice.guard.worker.WorkerModel;
 import org.mechservice.guard.worker.WorkerOrder;
 import org.mechservice.guard.worker.WorkerProcess;
 import org.mechservice.guard.worker.WorkerResult;
+import org.mechservice.sim.model.ModelClasses;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.TunableParameter;
@@ -167,8 +167,7 @@ final class WorkerTask implements RunTask {
     if (warning.isEmpty()) {
       return result;
     }
-    return result.with(
-        new RunNotes.Note(MessageCode.USER_CODE_UNCONFINED, 0, true, warning.get()));
+    return result.with(new RunNotes.Note(MessageCode.USER_CODE_UNCONFINED, 0, true, warning.get()));
   }
 
   private WorkerOrder order(RunRequest asked) {
