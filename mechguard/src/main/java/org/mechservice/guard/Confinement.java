@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -314,7 +315,7 @@ public final class Confinement {
       Process started = STARTER.submit(command::start).get();
       if (command.command().get(0).equals(WALL_SHELL)) {
         WALLED.add(started);
-        started.onExit().thenRun(() -> WALLED.remove(started));
+        CompletableFuture<Void> unused = started.onExit().thenRun(() -> WALLED.remove(started));
       }
       return started;
     } catch (ExecutionException e) {
