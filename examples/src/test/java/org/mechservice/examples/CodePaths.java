@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
@@ -69,7 +70,11 @@ final class CodePaths {
       String words = command.replace("max(e)", "'max(e)'").replace("last(e)", "'last(e)'");
       Terminal.Ended ended = terminal.shell(variables + " " + mech + " " + words + " " + options);
       assertThat(ended.exitStatus()).as(ended.toString()).isBetween(1, 3);
-      assertThat(ended.stderr()).as(ended.toString()).containsAnyOf(said.toArray(String[]::new));
+      List<String> codes = new ArrayList<>(said);
+      if (command.endsWith(".fmu")) {
+        codes.add("S-170"); // there is no C of a class
+      }
+      assertThat(ended.stderr()).as(ended.toString()).containsAnyOf(codes.toArray(String[]::new));
       assertThat(ended.stderr()).doesNotContain("\tat ", "Exception");
       assertThat(folder.resolve("ESCAPED")).as(ended.toString()).doesNotExist();
     }

@@ -217,7 +217,7 @@ class HostileTenantIT {
       "--server",
       url,
       "--t-end",
-      "1e6",
+      "100",
       "--t-step",
       "1e-3",
       "--out",
