@@ -23,7 +23,10 @@ import org.mechservice.solver.ode.step.RightHandSide;
 final class JacobianDifferences {
   private static final double ROUNDOFF = Math.ulp(1.0);
   private static final double FIRST_SHARE = Math.sqrt(ROUNDOFF);
-  private static final double SMALLEST_SHARE = power(0.78);
+
+  /** Smallest share of what may be curved. */
+  static final double SMALLEST_SHARE = power(0.78);
+
   private static final double LARGEST_SHARE = 0.1;
 
   /** Changes, relative to f: lost in round-off, poor, and too large for a straight line. */
@@ -44,6 +47,10 @@ final class JacobianDifferences {
   private final double[] share;
 
   private final double[] nextShare;
+
+  /** Below it no share shrinks. */
+  private final double smallestShare;
+
   private final double[] increment;
 
   /** Increment of a column before it was differenced again, length n. */
@@ -88,7 +95,7 @@ final class JacobianDifferences {
    */
   JacobianDifferences(
       MatrixLayout layout, ColumnGroups groups, double[] threshold, Manifold manifold) {
-    this(layout, groups, threshold, manifold, FIRST_SHARE);
+    this(layout, groups, threshold, manifold, FIRST_SHARE, SMALLEST_SHARE);
     magnitude = new double[layout.dimension()];
     adapting = true;
   }
@@ -98,18 +105,23 @@ final class JacobianDifferences {
    *
    * @param threshold size below which a component is negligible; kept, not modified
    * @param firstShare share of a component to begin with
+   * @param smallestShare share of a component at least: {@link #SMALLEST_SHARE}, or {@code
+   *     firstShare} for a function that is a straight line or nearly so. A share that shrank while
+   *     all terms were small would be lost in round-off where they are large at once.
    */
   JacobianDifferences(
       MatrixLayout layout,
       ColumnGroups groups,
       double[] threshold,
       Manifold manifold,
-      double firstShare) {
+      double firstShare,
+      double smallestShare) {
     int n = layout.dimension();
     this.layout = layout;
     this.groups = groups;
     this.manifold = manifold;
     this.threshold = threshold;
+    this.smallestShare = smallestShare;
     share = new double[n];
     Arrays.fill(share, firstShare);
     nextShare = share.clone();
@@ -329,7 +341,7 @@ final class JacobianDifferences {
     if (comparable && change <= POOR * size) {
       nextShare[j] = Math.min(LARGEST_SHARE, ADAPTATION * used);
     } else if (comparable && change > LARGE * size) {
-      nextShare[j] = Math.max(SMALLEST_SHARE, used / ADAPTATION);
+      nextShare[j] = Math.max(smallestShare, used / ADAPTATION);
     }
     return comparable && change <= LOST * size;
   }

@@ -152,8 +152,12 @@ public final class JacobianPolicy {
     return true;
   }
 
+  /**
+   * Returns whether they were formed for the step tried last. The drift alone does not know of a
+   * shorter step that was not begun, since the matrix formed for the longer one is singular.
+   */
   private boolean formedHere() {
-    return drift.matters() ? drift.formedHere() : Double.isNaN(formedFor) || formedFor == triedEnd;
+    return drift.formedHere() && (Double.isNaN(formedFor) || formedFor == triedEnd);
   }
 
   /** Returns how fast the solution can change at most, ‖∂f/∂y‖ as formed last. */

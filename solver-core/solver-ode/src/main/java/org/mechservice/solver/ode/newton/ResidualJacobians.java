@@ -26,8 +26,8 @@ import org.mechservice.solver.ode.step.Manifold;
  */
 public final class ResidualJacobians implements ResidualLinearisation {
   /**
-   * Share of y' by which F is differenced: F is nearly linear in y', but y' may be small where the
-   * terms of F are not.
+   * Share of y' by which F is differenced at least: F is nearly linear in y', but y' may be small
+   * where the terms of F are not.
    */
   private static final double SHARE_OF_DERIVATIVE = 0x1p-17;
 
@@ -90,13 +90,20 @@ public final class ResidualJacobians implements ResidualLinearisation {
     ColumnGroups groups = ColumnGroups.of(system, layout);
     fy = new JacobianMatrix(layout);
     fyDot = new JacobianMatrix(layout);
-    inState = new JacobianDifferences(layout, groups, smallSizes, manifold, SHARE_OF_STATE);
+    inState = ofState(layout, groups, smallSizes, manifold);
     inDerivative =
-        new JacobianDifferences(layout, groups, smallSlopes, manifold, SHARE_OF_DERIVATIVE);
-    inStep = new JacobianDifferences(layout, groups, smallSizes, manifold, SHARE_OF_STATE);
+        new JacobianDifferences(
+            layout, groups, smallSlopes, manifold, SHARE_OF_DERIVATIVE, SHARE_OF_DERIVATIVE);
+    inStep = ofState(layout, groups, smallSizes, manifold);
     alongStep = new AlongStep(n);
     magnitude = new double[n];
     algebraic = new boolean[n];
+  }
+
+  private static JacobianDifferences ofState(
+      MatrixLayout layout, ColumnGroups groups, double[] smallSizes, Manifold manifold) {
+    return new JacobianDifferences(
+        layout, groups, smallSizes, manifold, SHARE_OF_STATE, JacobianDifferences.SMALLEST_SHARE);
   }
 
   private static IterationMatrix newMatrix(ResidualSystem system, Manifold manifold) {

@@ -100,7 +100,12 @@ class JacobianDifferencesTest {
     MatrixLayout layout = new DenseLayout(1);
     JacobianDifferences differences =
         new JacobianDifferences(
-            layout, ColumnGroups.of(any, layout), new double[] {1}, new Manifold(any), 1e-8);
+            layout,
+            ColumnGroups.of(any, layout),
+            new double[] {1},
+            new Manifold(any),
+            1e-8,
+            JacobianDifferences.SMALLEST_SHARE);
     double[] derivative = new double[1];
     for (int i = 0; i < 10; i++) {
       form(differences, balance, new double[] {1}, derivative);
@@ -108,6 +113,36 @@ class JacobianDifferencesTest {
     }
     // Round-off of the terms, 1.5e-8, over the change, 1.
     assertThat(derivative[0]).isCloseTo(1e8, within(5.0));
+  }
+
+  /** Calm, no term is larger than a change, which says nothing about what comes. */
+  @Test
+  void shareOfAStraightLineStaysWhereAllTermsAreSmall() {
+    double[] force = {0};
+    DifferencedFunction balance =
+        (x, value) -> {
+          value[0] = x[0] + force[0];
+          return true;
+        };
+    OdeSystem any = new FunctionOde(1, (t, y, yDot) -> {});
+    MatrixLayout layout = new DenseLayout(1);
+    JacobianDifferences differences =
+        new JacobianDifferences(
+            layout,
+            ColumnGroups.of(any, layout),
+            new double[] {1e-4},
+            new Manifold(any),
+            0x1p-17,
+            0x1p-17);
+    double[] derivative = new double[1];
+    for (int i = 0; i < 20; i++) {
+      differences.knowMagnitude(new double[] {1e-30});
+      form(differences, balance, new double[] {1e-30}, derivative);
+    }
+    force[0] = 1000;
+    form(differences, balance, new double[] {1e-30}, derivative);
+    // Round-off of the force, 1.1e-13, over the change, 7.6e-10.
+    assertThat(derivative[0]).isCloseTo(1, within(2e-4));
   }
 
   @Test
