@@ -413,8 +413,8 @@ def write(rows, refused, states):
         f" state. Switched off"
         f" on both sides: stops, contacts, equations between joints, dry friction.", "",
         f"Of {len(rows)} files {exact} agree to 1e-9 as they are, {exact_models} of {len(models)} in"
-        f" MJCF, {near_models} of these to 1e-6: MuJoCo leaves products of inertia below 1e-12 kg m²"
-        f" when it turns to principal axes. Files that differ by more than 1e-6 while the import"
+        f" MJCF, {near_models} of these to 1e-6. MuJoCo drops products of inertia below 1e-12 kg m²"
+        f" when it turns to principal axes, which may be the rest. Files that differ by more than 1e-6 while the import"
         f" reports no change of the motion: {', '.join(untold) if untold else 'none'}.",
         "", "| robot | beside | freedoms | losses that change the motion | difference |",
         "|---|---|---|---|---|"]

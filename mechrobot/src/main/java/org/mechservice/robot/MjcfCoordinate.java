@@ -77,6 +77,13 @@ final class MjcfCoordinate {
               + "\" are left out: a limit of MJCF has a time constant");
     } else {
       stopTime = time;
+      // the ratio would take the inertia that the stop holds
+      losses.add(
+          spring.origin(),
+          "\""
+              + spring.name()
+              + "\" is a limit of MJCF, with the time constant of its damping and stiffness and the"
+              + " damping ratio 1");
     }
     return true;
   }
