@@ -32,6 +32,7 @@ public final class WorkerMain implements ResultSink {
   static final byte ROW = 'R';
   static final byte STEP = 'P';
   static final byte WAIT = 'W';
+  static final byte REACHED = 'F';
   static final byte CHECKPOINT = 'K';
   static final byte END = 'E';
   static final byte REFUSED = 'X';
@@ -41,8 +42,13 @@ public final class WorkerMain implements ResultSink {
   static final byte RUN = 'O';
   // To the worker, while it runs
   static final byte GO_ON = 'G';
+  static final byte GO_FREELY = 'L';
+  static final byte ASK = 'A';
   static final byte STOP = 'S';
   static final byte SAVE = 'V';
+
+  /** Time between two messages of a run that goes on freely. */
+  private static final long REACHED_NANOS = 5_000_000;
 
   /** Longest text of a failure, in characters; 3 bytes each fit into a message. */
   private static final int MOST_TEXT = 10_000;
@@ -96,6 +102,7 @@ public final class WorkerMain implements ResultSink {
               described.isPresent() ? described.get() : source(model),
               order,
               new SentCheckpoints(checkpoints));
+      control.tellLast();
       out.writeByte(END);
       new WorkerResult(report.asMap(), report.outcome()).write(out);
     } catch (IllegalArgumentException e) {
@@ -136,15 +143,24 @@ public final class WorkerMain implements ResultSink {
 
   /**
    * A control that asks the host after every step whether the run continues, and waits for the
-   * answer.
+   * answer; while the host lets it go on freely, it tells now and then how far it is.
    */
   private final class AskingControl extends RunControl {
+    private volatile boolean free;
+
     /** Whether the host has let the run go on from the present step already. */
     private boolean letGo;
+
+    private long toldAt;
+    private boolean untold;
 
     /** Returns whether the host wants a checkpoint of this step before the next one. */
     @Override
     public boolean holdsAt(double time, double stepSize, int order, long steps) {
+      letGo = goesFreely(time, stepSize, order, steps);
+      if (letGo) {
+        return false;
+      }
       boolean save = ask(STEP, time, stepSize, order, steps) == SAVE && !stopRequested();
       letGo = !save;
       return save;
@@ -152,14 +168,39 @@ public final class WorkerMain implements ResultSink {
 
     @Override
     public boolean proceed(double time, double stepSize, int order, long steps) {
-      if (!letGo) {
+      if (!letGo && !goesFreely(time, stepSize, order, steps)) {
         ask(WAIT, time, stepSize, order, steps);
       }
       letGo = false;
       return !stopRequested();
     }
 
-    private byte ask(byte kind, double time, double stepSize, int order, long steps) {
+    private boolean goesFreely(double time, double stepSize, int order, long steps) {
+      if (!free) {
+        return false;
+      }
+      reached(time, stepSize, order, steps);
+      untold = true;
+      if (System.nanoTime() - toldAt > REACHED_NANOS) {
+        tellLast();
+        toldAt = System.nanoTime();
+      }
+      return true;
+    }
+
+    /** Tells the host how far the run is, if it does not know. */
+    void tellLast() {
+      if (untold) {
+        untold = false;
+        tell(REACHED, time(), stepSize(), order(), steps());
+      }
+    }
+
+    void setFree(boolean free) {
+      this.free = free;
+    }
+
+    private boolean tell(byte kind, double time, double stepSize, int order, long steps) {
       try {
         out.writeByte(kind);
         out.writeDouble(time);
@@ -168,8 +209,16 @@ public final class WorkerMain implements ResultSink {
         out.writeLong(steps);
         out.writeBoolean(stiff());
         out.flush();
+        return true;
       } catch (IOException e) {
         stop(); // the host has closed the pipe
+        return false;
+      }
+    }
+
+    private byte ask(byte kind, double time, double stepSize, int order, long steps) {
+      untold = false;
+      if (!tell(kind, time, stepSize, order, steps)) {
         return STOP;
       }
       answers.acquireUninterruptibly();
@@ -209,15 +258,18 @@ public final class WorkerMain implements ResultSink {
     }
   }
 
-  /** Waits for the stop of the run: a byte from the host, or the end of its process. */
+  /** Takes the host's answers and its wish to be asked or to stop, until its process ends. */
   private void listen() {
     try {
       for (int order = in.read(); order >= 0; order = in.read()) {
         if (order == STOP) {
           control.stop();
         }
-        answer = (byte) order;
-        answers.release();
+        control.setFree(order == GO_FREELY);
+        if (order != ASK) {
+          answer = (byte) order;
+          answers.release();
+        }
       }
     } catch (IOException e) {
       // The same as the end of the stream.

@@ -65,6 +65,7 @@ public final class WorkerProcess implements AutoCloseable {
   private static final int MOST_COLUMNS = 1_000_000;
   private static final int MOST_CHECKPOINT_BYTES = 1 << 28;
   private static final double MEGABYTE = 1e6;
+  private static final double NANOSECONDS = 1e9;
 
   /** The command of a wall, its first process within, and Java. */
   private static final int PROCESSES_OF_WALL = 3;
@@ -205,8 +206,8 @@ public final class WorkerProcess implements AutoCloseable {
    * @param order of a run, of the model that the process has described
    * @param sink takes the rows
    * @param control steers and watches
-   * @param checkpoints given one where the run is held or stopped, and, while the time between two
-   *     is 0, after each step
+   * @param checkpoints given one where the run is held or stopped, and after the first step when
+   *     the time between two is over
    * @throws IllegalArgumentException if the settings do not fit the model; the message names the
    *     reason
    * @throws WorkerLostException if the process has ended without a result
@@ -217,12 +218,12 @@ public final class WorkerProcess implements AutoCloseable {
       throws IOException {
     Talk with = talk();
     boolean hasModel = described;
-    Thread watch = new Thread(() -> watch(with.process(), control), "mechservice-worker-watch");
-    watch.setDaemon(true);
-    watch.start();
-    try (DataOutputStream out = with.out();
-        DataInputStream in = with.in()) {
-      return new Dialogue(in, out, sink, control, checkpoints).hold(order, hasModel);
+    try (Dialogue dialogue = new Dialogue(with.in(), with.out(), sink, control, checkpoints)) {
+      Thread watch =
+          new Thread(() -> watch(with.process(), control, dialogue), "mechservice-worker-watch");
+      watch.setDaemon(true);
+      watch.start();
+      return dialogue.hold(order, hasModel);
     } catch (StreamCorruptedException e) {
       throw makesNoSense(e);
     } catch (PeerGoneException e) {
@@ -245,8 +246,11 @@ public final class WorkerProcess implements AutoCloseable {
     process.ifPresent(Confinement::end);
   }
 
-  /** Stops the worker on request; kills it if it does not end by itself. */
-  private static void watch(Process started, RunControl control) {
+  /**
+   * Stops the worker on request, and lets it ask again if it may be held; kills it if it does not
+   * end by itself.
+   */
+  private static void watch(Process started, RunControl control, Dialogue dialogue) {
     try {
       while (!started.waitFor(WATCH_MILLIS, TimeUnit.MILLISECONDS)) {
         if (control.stopRequested()) {
@@ -257,6 +261,7 @@ public final class WorkerProcess implements AutoCloseable {
           }
           return;
         }
+        dialogue.letAskIfItMayBeHeld();
       }
     } catch (IOException e) {
       Confinement.end(started); // it does not even listen
@@ -324,13 +329,19 @@ public final class WorkerProcess implements AutoCloseable {
   }
 
   /** The dialogue between host and worker. */
-  private static final class Dialogue {
+  private static final class Dialogue implements AutoCloseable {
     private final DataInputStream in;
     private final DataOutputStream out;
     private final ResultSink sink;
     private final RunControl control;
     private final Checkpoints checkpoints;
     private double[] row = new double[0];
+
+    /** When the last checkpoint was kept, or the run began. */
+    private volatile long savedAt = System.nanoTime();
+
+    /** Whether the worker goes on without asking; as its last answer or wish said. */
+    private boolean free;
 
     Dialogue(
         DataInputStream in,
@@ -343,6 +354,13 @@ public final class WorkerProcess implements AutoCloseable {
       this.sink = sink;
       this.control = control;
       this.checkpoints = checkpoints;
+    }
+
+    @Override
+    public void close() throws IOException {
+      try (in) {
+        out.close();
+      }
     }
 
     /**
@@ -367,7 +385,11 @@ public final class WorkerProcess implements AutoCloseable {
           case WorkerMain.ROW -> sink.row(receive(this::nextRow));
           case WorkerMain.STEP -> step(true);
           case WorkerMain.WAIT -> step(false);
-          case WorkerMain.CHECKPOINT -> checkpoints.keep(receive(this::checkpoint));
+          case WorkerMain.REACHED -> reached();
+          case WorkerMain.CHECKPOINT -> {
+            checkpoints.keep(receive(this::checkpoint));
+            savedAt = System.nanoTime();
+          }
           case WorkerMain.END -> {
             return receive(() -> WorkerResult.read(in));
           }
@@ -425,21 +447,48 @@ public final class WorkerProcess implements AutoCloseable {
       int order = receive(in::readInt);
       long steps = receive(in::readLong);
       control.setStiff(receive(in::readBoolean));
-      byte answer;
       if (mayBeSaved && isDue(time, stepSize, order, steps)) {
-        answer = WorkerMain.SAVE;
-      } else if (control.proceed(time, stepSize, order, steps)) {
-        answer = WorkerMain.GO_ON;
+        answer(WorkerMain.SAVE);
       } else {
-        answer = WorkerMain.STOP;
+        answer(control.proceed(time, stepSize, order, steps) ? WorkerMain.GO_ON : WorkerMain.STOP);
       }
-      send(out, () -> out.writeByte(answer));
+    }
+
+    /** Answers a worker that waits; it is let go on freely if nothing can hold it. */
+    private synchronized void answer(byte answer) throws IOException {
+      free = answer == WorkerMain.GO_ON && mayGoFreely();
+      send(out, () -> out.writeByte(free ? WorkerMain.GO_FREELY : answer));
+    }
+
+    /** Notes how far a worker is that goes on freely. */
+    private void reached() throws IOException {
+      double time = receive(in::readDouble);
+      double stepSize = receive(in::readDouble);
+      int order = receive(in::readInt);
+      control.reached(time, stepSize, order, receive(in::readLong));
+      control.setStiff(receive(in::readBoolean));
+      letAskIfItMayBeHeld();
+    }
+
+    private boolean mayGoFreely() {
+      return control.isFree() && !isTimeToSave();
+    }
+
+    /** Lets a worker that goes on freely ask after its next step, if it may be held there. */
+    synchronized void letAskIfItMayBeHeld() throws IOException {
+      if (free && !mayGoFreely()) {
+        free = false;
+        send(out, () -> out.writeByte(WorkerMain.ASK));
+      }
     }
 
     private boolean isDue(double time, double stepSize, int order, long steps) {
-      double between = checkpoints.secondsBetween();
-      return Double.isFinite(between)
-          && (between == 0 || control.holdsAt(time, stepSize, order, steps));
+      return Double.isFinite(checkpoints.secondsBetween())
+          && (isTimeToSave() || control.holdsAt(time, stepSize, order, steps));
+    }
+
+    private boolean isTimeToSave() {
+      return (System.nanoTime() - savedAt) / NANOSECONDS >= checkpoints.secondsBetween();
     }
   }
 

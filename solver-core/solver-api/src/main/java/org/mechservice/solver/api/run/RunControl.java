@@ -10,7 +10,8 @@ import java.util.function.BooleanSupplier;
  *
  * <p>The solver calls {@link #proceed} after every accepted step and {@link #stopRequested} at
  * every evaluation; all other methods are for the controlling threads. A subclass for a run that
- * another process controls overrides {@link #holdsAt} and {@link #proceed} to query that process.
+ * another process controls overrides {@link #holdsAt} and {@link #proceed} to query that process,
+ * which need not be queried while this control is {@linkplain #isFree free}.
  */
 public class RunControl {
   /** Source of the state of a run between two steps, in the thread of the run. */
@@ -223,10 +224,7 @@ public class RunControl {
    * @return whether the run must continue; false after {@link #stop} or an interrupt
    */
   public boolean proceed(double time, double stepSize, int order, long steps) {
-    this.stepSize = stepSize;
-    this.order = order;
-    this.steps = steps;
-    this.time = time;
+    reached(time, stepSize, order, steps);
     if (stateAsked) {
       answerState();
     }
@@ -234,6 +232,26 @@ public class RunControl {
       hold();
     }
     return !stopRequested;
+  }
+
+  /**
+   * Records the progress of a run that another process computes, which does not wait.
+   *
+   * @param time as for {@link #proceed}
+   * @param stepSize as for {@link #proceed}
+   * @param order as for {@link #proceed}
+   * @param steps as for {@link #proceed}
+   */
+  public final void reached(double time, double stepSize, int order, long steps) {
+    this.stepSize = stepSize;
+    this.order = order;
+    this.steps = steps;
+    this.time = time;
+  }
+
+  /** Returns whether nothing but a new request can pause or stop the run. */
+  public final boolean isFree() {
+    return !stopRequested && stepsAllowed == Long.MAX_VALUE && holdAt == Double.POSITIVE_INFINITY;
   }
 
   /**
