@@ -104,6 +104,41 @@ class CheckpointIT {
     assertThat(joined).isEqualTo(Files.readAllLines(directory.resolve("whole.csv")));
   }
 
+  /** The model of a server runs behind a wall of its own, which is asked for its checkpoints. */
+  @Test
+  void modelOfAServerLeavesCheckpointsHereWhileItGoesOn() throws Exception {
+    Terminal terminal = new Terminal(directory);
+    Path checkpoint = directory.resolve("c");
+    int port = Service.freePort();
+    try (Terminal.Running server = Service.startServer(directory, port);
+        Terminal.Running run =
+            terminal.startMech(
+                "simulate",
+                WorkingTree.PENDULUM.toString(),
+                "--server",
+                Service.url(port),
+                "--mode",
+                "local",
+                "--unconfined",
+                "--t-end",
+                "1e8",
+                "--t-step",
+                "1000",
+                "--out",
+                "endless.csv",
+                "--checkpoint",
+                checkpoint.toString(),
+                "--every",
+                "0.2")) {
+      run.awaitThat("its first checkpoint", () -> Files.exists(checkpoint));
+      long first = checkpoint.toFile().lastModified();
+      run.awaitThat("a later one", () -> checkpoint.toFile().lastModified() > first);
+      assertThat(server.stdout()).isNotEmpty();
+      run.terminate();
+      assertThat(run.awaitEnd().exitStatus()).isEqualTo(143);
+    }
+  }
+
   /** Returns the size of the file that becomes first.csv when the command ends; -1: not there. */
   private long bytesSoFar() {
     try (Stream<Path> files = Files.list(directory)) {

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 
@@ -100,6 +101,14 @@ final class CodePaths {
         new Way("folder of somebody else", List.of("S-121"), "--user-code empty", ""),
         way("source in the text of the model", "S-169", "S-121", "M-0"),
         way("text from another file", "M-003"));
+  }
+
+  /** Returns three commands for a way, other ones for the next. */
+  static List<String> someCommands(Way way) {
+    int first = ways().toList().indexOf(way);
+    return IntStream.of(first, first + 5, first + 10)
+        .mapToObj(i -> COMMANDS.get(i % COMMANDS.size()))
+        .toList();
   }
 
   private static Way way(String name, String... said) {

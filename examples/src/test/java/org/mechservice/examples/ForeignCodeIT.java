@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -63,12 +64,27 @@ class ForeignCodeIT {
     return CodePaths.ways();
   }
 
-  /** Each way of bringing code, by each command: refused by name, and nothing of it has run. */
+  /**
+   * Each way of bringing code, by three commands, and so each command by three ways or more:
+   * refused by name, and nothing of it has run.
+   */
   @MethodSource("ways")
   @ParameterizedTest
   void codeThatNobodyConsentedToDoesNotRun(CodePaths.Way way) throws IOException {
+    requireRefused(way, CodePaths.someCommands(way));
+  }
+
+  /** Each way by each command. */
+  @Tag("soak")
+  @MethodSource("ways")
+  @ParameterizedTest
+  void codeThatNobodyConsentedToDoesNotRunByAnyCommand(CodePaths.Way way) throws IOException {
+    requireRefused(way, CodePaths.COMMANDS);
+  }
+
+  private void requireRefused(CodePaths.Way way, List<String> commands) throws IOException {
     way.into(folder);
-    for (String command : CodePaths.COMMANDS) {
+    for (String command : commands) {
       way.refusedBy("'" + WorkingTree.MECH + "'", command, new Terminal(folder), folder);
     }
   }

@@ -9,12 +9,16 @@ import java.net.Socket;
 import java.net.SocketException;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.orb.PortInUseException;
 import org.mechservice.orb.testing.Eventually;
 
 class ServerProcessTest {
+  /** Threads that Java keeps for a while: the second waits for ends of further processes. */
+  private static final Set<String> OF_JAVA = Set.of("Common-Cleaner", "process reaper");
+
   private static final int SEED = 20262;
 
   private static int port(Farm farm) {
@@ -67,18 +71,24 @@ class ServerProcessTest {
   @Test
   void nothingIsLeftOfAClosedServer() throws Exception {
     Set<Thread> before = Thread.getAllStackTraces().keySet();
+    Set<ProcessHandle> processes = children();
     try (Farm farm = new Farm(2)) {
       farm.host("h", 1);
       Farm.running(farm.session("h"));
       Farm.running(farm.session("own"));
       farm.admin.listHosts();
     }
+    Eventually.holds(() -> children().equals(processes));
     for (Thread thread : Thread.getAllStackTraces().keySet()) {
-      if (!before.contains(thread) && !thread.getName().startsWith("Common-Cleaner")) {
+      if (!before.contains(thread) && !OF_JAVA.contains(thread.getName())) {
         thread.join(10_000);
         assertThat(thread.isAlive()).as(thread.getName()).isFalse();
       }
     }
+  }
+
+  private static Set<ProcessHandle> children() {
+    return ProcessHandle.current().children().collect(Collectors.toSet());
   }
 
   @Test
