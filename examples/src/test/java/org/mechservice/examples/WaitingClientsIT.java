@@ -30,7 +30,7 @@ class WaitingClientsIT {
 
   @Test
   void hostThatDiesDuringTheSetUpIsReplaced() throws Exception {
-    Files.writeString(folder.resolve("loops.xml"), HostileTenantIT.loops(300));
+    Files.writeString(folder.resolve("loops.xml"), HostileTenantIT.loops(200));
     int port = Service.freePort();
     Terminal terminal = new Terminal(folder);
     try (Terminal.Running server = Service.startServer(folder, port, "--capacity", "0");
