@@ -78,7 +78,7 @@ class ServerProcessTest {
       Farm.running(farm.session("own"));
       farm.admin.listHosts();
     }
-    Eventually.holds(() -> children().equals(processes));
+    Eventually.holds(() -> processes.containsAll(children()));
     for (Thread thread : Thread.getAllStackTraces().keySet()) {
       if (!before.contains(thread) && !OF_JAVA.contains(thread.getName())) {
         thread.join(10_000);
