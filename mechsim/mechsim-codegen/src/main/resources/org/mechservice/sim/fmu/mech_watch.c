@@ -142,8 +142,6 @@ static double value(const mech_watch_step *step, double a, double b) {
   switch (step->operation) {
     case WATCH_ADD:
       return a + b;
-    case WATCH_SUBTRACT:
-      return a - b;
     case WATCH_MULTIPLY:
       return a * b;
     case WATCH_DIVIDE:
@@ -486,8 +484,6 @@ static bounds exact_bounds(const mech_watch_step *step, bounds a, bounds b) {
   switch (step->operation) {
     case WATCH_ADD:
       return between(a.low + b.low, a.high + b.high);
-    case WATCH_SUBTRACT:
-      return between(a.low - b.high, a.high - b.low);
     case WATCH_MULTIPLY:
       return product(a, b);
     case WATCH_DIVIDE:
@@ -663,7 +659,6 @@ static int changes_evenly(mech_watch_work *w, const mech_watch_step *step) {
   }
   switch (step->operation) {
     case WATCH_ADD:
-    case WATCH_SUBTRACT:
     case WATCH_NEGATE:
       return 1;
     /* curved factors that pass through zero make a corner that no three points show */

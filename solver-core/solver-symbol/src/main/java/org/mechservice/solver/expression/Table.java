@@ -92,6 +92,11 @@ public record Table(
   }
 
   @Override
+  public TapeStep step() {
+    return curve();
+  }
+
+  @Override
   public GivenFunction function() {
     return curve();
   }

@@ -31,7 +31,7 @@ import org.mechservice.solver.spatial.SinCos;
  * its row, a function of {@code mech_math.c} with the same bits, and, if formulas can call it, its
  * cases in {@code mech_watch.c}.
  */
-public enum MathFunction implements WatchedStep {
+public enum MathFunction {
   SQRT(
       one("sqrt", Math::sqrt)
           .units(UnitRule.ROOT)
@@ -387,30 +387,19 @@ public enum MathFunction implements WatchedStep {
     return traits.choice.orElseThrow();
   }
 
-  @Override
-  public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
+  /** Finds the bounds of its values, without rounding, for a and b in two intervals. */
+  public void bound(Enclosure out, double aLow, double aHigh, double bLow, double bHigh) {
     traits.bound.of(out, aLow, aHigh, bLow, bHigh);
-    out.settle(traits.exact ? 0 : Enclosure.ROUNDING);
+  }
+
+  /** Returns whether its values are not rounded. */
+  public boolean isExact() {
+    return traits.exact;
   }
 
   /** Returns where it is made of pieces. */
   public Corners corners() {
     return traits.corners;
-  }
-
-  @Override
-  public boolean hasPieces() {
-    return traits.corners != Corners.NONE;
-  }
-
-  @Override
-  public double piece(double a, double b) {
-    return traits.corners.piece(a, b);
-  }
-
-  @Override
-  public double distance(double a, double b) {
-    return traits.corners.distance(a, b);
   }
 
   /** Returns whether it is 0 to one side of 0 of its first argument, else the second. */
@@ -433,7 +422,7 @@ public enum MathFunction implements WatchedStep {
     return traits.repeats;
   }
 
-  @Override
+  /** Returns whether it can change much while its arguments hardly do, without a corner. */
   public boolean isNarrow() {
     return traits.narrow;
   }
@@ -443,7 +432,12 @@ public enum MathFunction implements WatchedStep {
     return traits.evenByValue;
   }
 
-  @Override
+  /**
+   * Returns whether its values stay near a parabola through three of them, for a and b in two
+   * intervals.
+   *
+   * @param highest the highest value there
+   */
   public boolean isEven(double aLow, double aHigh, double bLow, double bHigh, double highest) {
     return traits.even.holds(aLow, aHigh, bLow, bHigh, highest);
   }
