@@ -134,7 +134,7 @@ public final class SessionTable implements AutoCloseable {
     }
     unused =
         clock.scheduleWithFixedDelay(
-            () -> store.expire(this::isReopened), EXPIRY_SECONDS, EXPIRY_SECONDS, TimeUnit.SECONDS);
+            () -> store.expire(this::isReopened), 0, EXPIRY_SECONDS, TimeUnit.SECONDS);
   }
 
   /** Returns what reads and builds the models of the sessions. */
