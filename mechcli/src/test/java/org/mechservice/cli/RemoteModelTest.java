@@ -65,6 +65,7 @@ class RemoteModelTest {
           "request",
           "columns",
           "urdf",
+          "mjcf",
           "userCode",
           "userCodeWarning");
 

@@ -142,6 +142,8 @@ static double value(const mech_watch_step *step, double a, double b) {
   switch (step->operation) {
     case WATCH_ADD:
       return a + b;
+    case WATCH_SUBTRACT:
+      return a - b;
     case WATCH_MULTIPLY:
       return a * b;
     case WATCH_DIVIDE:
@@ -484,6 +486,8 @@ static bounds exact_bounds(const mech_watch_step *step, bounds a, bounds b) {
   switch (step->operation) {
     case WATCH_ADD:
       return between(a.low + b.low, a.high + b.high);
+    case WATCH_SUBTRACT:
+      return between(a.low - b.high, a.high - b.low);
     case WATCH_MULTIPLY:
       return product(a, b);
     case WATCH_DIVIDE:
@@ -659,6 +663,7 @@ static int changes_evenly(mech_watch_work *w, const mech_watch_step *step) {
   }
   switch (step->operation) {
     case WATCH_ADD:
+    case WATCH_SUBTRACT:
     case WATCH_NEGATE:
       return 1;
     /* curved factors that pass through zero make a corner that no three points show */
@@ -793,12 +798,13 @@ static double excursion(const mech_watch_work *w, int choice) {
   }
 }
 
-/* Notes the largest sizes of the arguments of the choices. */
+/* Notes the largest sizes of what decides the choices: of a part the first argument. */
 static void note_sizes(mech_watch_work *w) {
   int i;
   for (i = 0; i < WATCH_CHOICES; i++) {
     const mech_watch_step *step = &WATCH_STEP_OF[WATCH_CHOICE_OF[i].step];
-    int a = step->first, b = step->second;
+    int part = step->operation == WATCH_WHERE || step->operation == WATCH_ELSEWHERE;
+    int a = step->first, b = part ? a : step->second;
     double size =
         mech_max(mech_max(-w->low[a], w->high[a]), mech_max(-w->low[b], w->high[b]));
     if (fabs(size) < HUGE_VAL) {

@@ -5,9 +5,11 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.mechservice.solver.symbol.Differentiation;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.GivenFunction;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.ReverseDifferentiation;
 import org.mechservice.solver.symbol.Scalar;
@@ -42,7 +44,15 @@ final class FormulaPrograms {
   private final List<Scalar> results;
 
   FormulaPrograms(List<Expression> formulas) {
-    OfLeaves scalars = new OfLeaves();
+    this(formulas, false);
+  }
+
+  /**
+   * @param whole whether calls, powers and squares stay what they are in the formulas, as a search
+   *     of the places where these change their form needs them, and not to be differentiated
+   */
+  FormulaPrograms(List<Expression> formulas, boolean whole) {
+    OfLeaves scalars = whole ? new OfWholeCalls() : new OfLeaves();
     results = formulas.stream().map(scalars::scalar).toList();
     program.section("values", "value");
     for (int i = 0; i < results.size(); i++) {
@@ -51,7 +61,7 @@ final class FormulaPrograms {
   }
 
   /** Leaves are inputs, in the order in which they come up; tables are one node. */
-  private final class OfLeaves extends Formulas {
+  private class OfLeaves extends Formulas {
     private final Map<PointFunction, GivenFunction> tables = new HashMap<>();
 
     OfLeaves() {
@@ -72,6 +82,31 @@ final class FormulaPrograms {
     protected Scalar table(PointFunction table, List<Scalar> arguments) {
       return e.given(tables.computeIfAbsent(table, PointFunction::function), arguments);
     }
+  }
+
+  /** Calls are nodes of their own, also those that are formulas of others. */
+  private final class OfWholeCalls extends OfLeaves {
+    @Override
+    protected Scalar call(MathFunction function, List<Scalar> arguments) {
+      return function.isComposed() ? super.call(function, arguments) : e.whole(function, arguments);
+    }
+
+    @Override
+    protected Scalar power(Scalar base, Scalar exponent) {
+      return exponent.isConstant() && exponent.value() == 2
+          ? base.squared()
+          : e.whole(MathFunction.POWER, List.of(base, exponent));
+    }
+  }
+
+  /** Returns the values of the formulas. */
+  List<Scalar> results() {
+    return results;
+  }
+
+  /** Returns what a leaf is in the program. */
+  Scalar leaf(Expression leaf) {
+    return Objects.requireNonNull(leaves.get(leaf));
   }
 
   /** Returns the leaves of the formulas. */

@@ -85,9 +85,9 @@ public abstract class Formulas {
     } else if (formula instanceof Expression.Negation negation) {
       return known(negation.operand()).negated();
     } else if (formula instanceof Expression.Call call) {
-      return call(call.function(), call.arguments());
+      return call(call.function(), call.arguments().stream().map(this::known).toList());
     } else if (formula instanceof Expression.Composed call) {
-      return call(call.function(), call.arguments());
+      return call(call.function(), call.arguments().stream().map(this::known).toList());
     } else if (formula instanceof Expression.TableValue value) {
       return table(value.table(), value.arguments().stream().map(this::known).toList());
     }
@@ -101,10 +101,10 @@ public abstract class Formulas {
   }
 
   /**
-   * Returns a power; products for integer and half-integer exponents, in the solver's order of
-   * multiplication.
+   * Returns a power: by default products for integer and half-integer exponents, in the solver's
+   * order of multiplication.
    */
-  private Scalar power(Scalar base, Scalar exponent) {
+  protected Scalar power(Scalar base, Scalar exponent) {
     double n = exponent.isConstant() ? exponent.value() : Double.NaN;
     if (Math.abs(n) <= LARGEST_PRODUCT && n == Math.rint(n)) {
       return whole(base, (int) n);
@@ -127,8 +127,9 @@ public abstract class Formulas {
     return n >= 0 ? product : quotient(e.one(), product);
   }
 
-  private Scalar call(MathFunction function, List<Expression> arguments) {
-    return function.call(arguments.stream().map(this::known).toList());
+  /** Returns a call of a function: by default the formula that it is, if it is one. */
+  protected Scalar call(MathFunction function, List<Scalar> arguments) {
+    return function.call(arguments);
   }
 
   /** Returns the value of a table or map: by default the polynomials of which it is made. */

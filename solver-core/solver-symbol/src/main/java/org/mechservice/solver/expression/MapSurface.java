@@ -6,6 +6,7 @@ import org.mechservice.solver.expression.Table.Method;
 import org.mechservice.solver.spatial.NumberTable;
 import org.mechservice.solver.symbol.Enclosure;
 import org.mechservice.solver.symbol.GivenFunction;
+import org.mechservice.solver.symbol.WatchedStep;
 
 /**
  * The surface of a map: for each cell of the grid Σᵢⱼ cᵢⱼ dxⁱ dyʲ, i, j = 0 to 3, with dx and dy
@@ -18,14 +19,12 @@ import org.mechservice.solver.symbol.GivenFunction;
  * procedures, Communications of the ACM 17 (1974) 18: the divided differences of the four cells
  * around a point with the weights of both directions.
  */
-public final class MapSurface implements TapeStep, GivenFunction {
-  /** Coefficients of a cell. */
-  private static final int NUMBERS = 16;
+public final class MapSurface implements WatchedStep, GivenFunction {
+  /** Numbers of a cell: 16 coefficients, then its origin. */
+  private static final int NUMBERS = 18;
 
-  /** Factors of the powers 0 to 3 in derivatives of order 0 to 3. */
-  private static final double[][] FACTORS = {
-    {1, 1, 1, 1}, {0, 1, 2, 3}, {0, 0, 2, 6}, {0, 0, 0, 6}
-  };
+  private static final int ORIGIN_X = 16;
+  private static final int ORIGIN_Y = 17;
 
   private final double[] x;
   private final double[] y;
@@ -132,11 +131,14 @@ public final class MapSurface implements TapeStep, GivenFunction {
         setColumn(slopes, j, along);
       }
       for (int l = 0; l < originY.length; l++) {
+        int c = NUMBERS * (k * originY.length + l);
         for (int i = 0; i < 4; i++) {
           int power = i;
           cubic(map, y, l, j -> values[power][j], j -> slopes[power][j], along);
-          System.arraycopy(along, 0, cells, NUMBERS * (k * originY.length + l) + 4 * i, 4);
+          System.arraycopy(along, 0, cells, c + 4 * i, 4);
         }
+        cells[c + ORIGIN_X] = originX[k];
+        cells[c + ORIGIN_Y] = originY[l];
       }
     }
   }
@@ -311,11 +313,6 @@ public final class MapSurface implements TapeStep, GivenFunction {
   }
 
   @Override
-  public double value(double a, double b) {
-    return value(a, b, piece(a, b));
-  }
-
-  @Override
   public double place(double a, double b) {
     return piece(a, b);
   }
@@ -325,10 +322,9 @@ public final class MapSurface implements TapeStep, GivenFunction {
     if (bounded && isOutside(a, b)) {
       return Double.NaN;
     }
-    int cell = (int) place;
-    double dx = a - originX[cell / originY.length];
-    double dy = b - originY[cell % originY.length];
-    int c = NUMBERS * cell;
+    int c = NUMBERS * (int) place;
+    double dx = a - cells[c + ORIGIN_X];
+    double dy = b - cells[c + ORIGIN_Y];
     return along(c, dy)
         + dx * (along(c + 4, dy) + dx * (along(c + 8, dy) + dx * along(c + 12, dy)));
   }
@@ -366,17 +362,19 @@ public final class MapSurface implements TapeStep, GivenFunction {
   }
 
   private double slopeAt(double a, double b, int cell, int byX, int byY) {
-    double dx = a - originX[cell / originY.length];
-    double dy = b - originY[cell % originY.length];
     int c = NUMBERS * cell;
-    double sum = 0;
-    for (int i = 3; i >= byX; i--) {
-      double row = 0;
-      for (int j = 3; j >= byY; j--) {
-        row = FACTORS[byY][j] * cells[c + 4 * i + j] + dy * row;
-      }
-      sum = FACTORS[byX][i] * row + dx * sum;
-    }
-    return sum;
+    double dx = a - cells[c + ORIGIN_X];
+    double dy = b - cells[c + ORIGIN_Y];
+    return TableCurve.slope(
+        byX,
+        dx,
+        slopeAlong(c, dy, byY),
+        slopeAlong(c + 4, dy, byY),
+        slopeAlong(c + 8, dy, byY),
+        slopeAlong(c + 12, dy, byY));
+  }
+
+  private double slopeAlong(int c, double d, int order) {
+    return TableCurve.slope(order, d, cells[c], cells[c + 1], cells[c + 2], cells[c + 3]);
   }
 }

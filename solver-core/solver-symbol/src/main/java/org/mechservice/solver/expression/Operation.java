@@ -1,39 +1,30 @@
 package org.mechservice.solver.expression;
 
 import org.mechservice.solver.symbol.Enclosure;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.WatchedStep;
 
-/** The arithmetic of a tape. */
-enum Operation implements TapeStep {
+/** Bounds of the arithmetic of a tape. */
+enum Operation implements WatchedStep {
   ADD {
     @Override
-    public double value(double a, double b) {
-      return a + b;
+    public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
+      out.ofSum(aLow, aHigh, bLow, bHigh);
     }
-
+  },
+  SUBTRACT {
     @Override
     public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
-      out.set(aLow + bLow, aHigh + bHigh);
-      out.settle(Enclosure.ROUNDING);
+      out.ofSum(aLow, aHigh, -bHigh, -bLow);
     }
   },
   MULTIPLY {
     @Override
-    public double value(double a, double b) {
-      return a * b;
-    }
-
-    @Override
     public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
-      out.product(aLow, aHigh, bLow, bHigh);
-      out.settle(Enclosure.ROUNDING);
+      out.ofProduct(aLow, aHigh, bLow, bHigh);
     }
   },
   DIVIDE {
-    @Override
-    public double value(double a, double b) {
-      return a / b;
-    }
-
     @Override
     public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
       out.quotient(aLow, aHigh, bLow, bHigh);
@@ -52,28 +43,30 @@ enum Operation implements TapeStep {
   },
   NEGATE {
     @Override
-    public double value(double a, double b) {
-      return -a;
-    }
-
-    @Override
     public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
       out.set(-aHigh, -aLow);
     }
   },
-  /** a², the compiled form of a ^ 2. */
+  /** a², of which both factors are one. */
   SQUARE {
-    @Override
-    public double value(double a, double b) {
-      return a * a;
-    }
-
     @Override
     public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
       out.square(aLow, aHigh);
       out.settle(Enclosure.ROUNDING);
     }
   };
+
+  /** Returns the operation of a node that is no call of a function. */
+  static Operation of(Scalar node) {
+    return switch (node.operation()) {
+      case ADD -> ADD;
+      case SUBTRACT -> SUBTRACT;
+      case MULTIPLY -> node.first() == node.second() ? SQUARE : MULTIPLY;
+      case DIVIDE -> DIVIDE;
+      case NEGATE -> NEGATE;
+      default -> throw new IllegalArgumentException(node + " is no arithmetic");
+    };
+  }
 
   @Override
   public boolean hasPieces() {

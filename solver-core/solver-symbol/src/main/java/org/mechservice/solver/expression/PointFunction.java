@@ -14,9 +14,6 @@ public sealed interface PointFunction permits Table, TableMap {
   /** Returns the values beyond the points. */
   Table.Extrapolation outside();
 
-  /** Returns it as a step of a tape. */
-  TapeStep step();
-
   /** Returns it as one node of a graph. */
   GivenFunction function();
 
@@ -31,6 +28,6 @@ public sealed interface PointFunction permits Table, TableMap {
    * @param arguments as many as it has
    */
   default double at(List<Double> arguments) {
-    return step().value(arguments.get(0), arguments.get(arguments.size() - 1));
+    return function().at(arguments.get(0), arguments.get(arguments.size() - 1));
   }
 }

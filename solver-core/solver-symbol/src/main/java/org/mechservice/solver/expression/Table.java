@@ -92,11 +92,6 @@ public record Table(
   }
 
   @Override
-  public TapeStep step() {
-    return curve();
-  }
-
-  @Override
   public GivenFunction function() {
     return curve();
   }

@@ -6,12 +6,13 @@ import org.mechservice.solver.expression.Table.Method;
 import org.mechservice.solver.spatial.NumberTable;
 import org.mechservice.solver.symbol.Enclosure;
 import org.mechservice.solver.symbol.GivenFunction;
+import org.mechservice.solver.symbol.WatchedStep;
 
 /**
  * The curve of a table: one polynomial c0 + d (c1 + d (c2 + d c3)) with d = x − origin for each
  * interval between points, and one for each side beyond them. Immutable.
  */
-public final class TableCurve implements TapeStep, GivenFunction {
+public final class TableCurve implements WatchedStep, GivenFunction {
   /** Numbers of a polynomial: origin, c0, c1, c2, c3. */
   private static final int NUMBERS = 5;
 
@@ -352,11 +353,6 @@ public final class TableCurve implements TapeStep, GivenFunction {
   }
 
   @Override
-  public double value(double a, double b) {
-    return at(a);
-  }
-
-  @Override
   public double place(double a, double b) {
     return place(a);
   }
@@ -400,11 +396,16 @@ public final class TableCurve implements TapeStep, GivenFunction {
   }
 
   private double slopeAt(int p, double d, int order) {
-    double c2 = polynomials[p + 3];
-    double c3 = polynomials[p + 4];
+    return slope(
+        order, d, polynomials[p + 1], polynomials[p + 2], polynomials[p + 3], polynomials[p + 4]);
+  }
+
+  /** Returns a derivative of c0 + d (c1 + d (c2 + d c3)). */
+  static double slope(int order, double d, double c0, double c1, double c2, double c3) {
     return switch (order) {
-      case 1 -> polynomials[p + 2] + d * (2 * c2 + 3 * c3 * d);
-      case 2 -> 2 * c2 + 6 * c3 * d;
+      case 0 -> c0 + d * (c1 + d * (c2 + d * c3));
+      case 1 -> c1 + d * (2 * c2 + d * (3 * c3));
+      case 2 -> 2 * c2 + d * (6 * c3);
       case 3 -> 6 * c3;
       default -> 0;
     };

@@ -48,11 +48,6 @@ public record TableMap(
     return new MapSurface(this);
   }
 
-  @Override
-  public TapeStep step() {
-    return surface();
-  }
-
   /** {@inheritDoc} Tables of one model differ by name. */
   @Override
   public int hashCode() {

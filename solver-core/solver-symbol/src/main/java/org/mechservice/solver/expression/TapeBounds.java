@@ -2,6 +2,8 @@ package org.mechservice.solver.expression;
 
 import org.mechservice.solver.symbol.Corners;
 import org.mechservice.solver.symbol.Enclosure;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.WatchedStep;
 
 /**
  * Bounds of all values of a tape, over a box of leaves or along a short way.
@@ -94,6 +96,8 @@ final class TapeBounds {
       return;
     } else if (kind == Tape.SUM) {
       enclosure.ofSum(low[a], high[a], low[b], high[b]);
+    } else if (kind == Tape.DIFFERENCE) {
+      enclosure.ofSum(low[a], high[a], -high[b], -low[b]);
     } else if (kind == Tape.PRODUCT) {
       enclosure.ofProduct(low[a], high[a], low[b], high[b]);
     } else {
@@ -106,7 +110,7 @@ final class TapeBounds {
   /** Returns whether an operation changes evenly within the bounds of its operands. */
   private boolean changesEvenly(int i, int kind, int a, int b) {
     return switch (kind) {
-      case Tape.SUM, Tape.NEGATION -> true;
+      case Tape.SUM, Tape.DIFFERENCE, Tape.NEGATION -> true;
       // curved factors that pass through zero make a corner that no three points show
       case Tape.PRODUCT -> !(reachesZero(a) && reachesZero(b));
       case Tape.SQUARE -> !reachesZero(a);
@@ -115,11 +119,11 @@ final class TapeBounds {
   }
 
   private boolean otherChangesEvenly(int i, int a, int b) {
-    TapeStep step = tape.operation[i];
+    WatchedStep step = tape.operation[i];
     if (step.hasPieces() && !narrow[i]) {
       return isDecided(i);
     }
-    if (step instanceof FunctionStep call && call.function().isEvenByValue()) {
+    if (step instanceof MathFunction function && function.isEvenByValue()) {
       enclose(i, Tape.OTHER, a, b, tape.target[i]);
     }
     return isEven(i);
@@ -140,8 +144,8 @@ final class TapeBounds {
   boolean isDecided(int i) {
     int a = tape.first[i];
     int b = tape.second[i];
-    TapeStep step = tape.operation[i];
-    if (step instanceof FunctionStep call && call.function().corners() == Corners.EQUAL) {
+    WatchedStep step = tape.operation[i];
+    if (step instanceof MathFunction function && function.corners() == Corners.EQUAL) {
       boolean apart = high[a] < low[b] || low[a] >= high[b];
       return apart || (isZero(a) && isZero(b));
     }

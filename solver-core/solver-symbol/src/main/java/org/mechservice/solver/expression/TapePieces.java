@@ -10,6 +10,8 @@ import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.symbol.Corners;
 import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.ProgramSteps;
+import org.mechservice.solver.symbol.WatchedStep;
 
 /**
  * The smooth pieces of a tape: which branch each of its choices takes, at a point, along a short
@@ -30,6 +32,7 @@ public final class TapePieces {
   private final double[] low;
   private final double[] high;
   private final boolean[] matters;
+  private final double[] room = new double[ProgramSteps.ARGUMENTS];
 
   /** Steps that are choices of the state, and the index among them of each step, −1 of others. */
   private final int[] choices;
@@ -77,7 +80,7 @@ public final class TapePieces {
     int[] found = new int[tape.target.length];
     int count = 0;
     for (int i = 0; i < found.length; i++) {
-      TapeStep step = tape.operation[i];
+      WatchedStep step = tape.operation[i];
       boolean watched =
           moves[tape.target[i]]
               && (ofTime ? tape.target[i] == tape.result[0] && hasPlaces(step) : step.hasPieces());
@@ -105,7 +108,7 @@ public final class TapePieces {
     return isSign[choice];
   }
 
-  private static boolean hasPlaces(TapeStep step) {
+  private static boolean hasPlaces(WatchedStep step) {
     return step instanceof TableCurve || step instanceof MapSurface || step.hasPieces();
   }
 
@@ -141,7 +144,7 @@ public final class TapePieces {
   public TapeListing listing() {
     List<TapeListing.Step> steps = new ArrayList<>();
     for (int i = 0; i < tape.target.length; i++) {
-      TapeStep step = tape.operation[i];
+      WatchedStep step = tape.operation[i];
       Optional<TableCurve> curve =
           step instanceof TableCurve table ? Optional.of(table) : Optional.empty();
       Optional<MapSurface> map =
@@ -176,7 +179,7 @@ public final class TapePieces {
     for (int leaf = 0; leaf < tape.leafSlot.length; leaf++) {
       point[tape.leafSlot[leaf]] = leaves[leaf];
     }
-    tape.evaluate(point);
+    tape.evaluate(point, room);
   }
 
   /** Returns a formula's value at a point. */
@@ -281,12 +284,12 @@ public final class TapePieces {
     }
   }
 
-  private void passOn(TapeStep step, int target, boolean open, int a, int b) {
+  private void passOn(WatchedStep step, int target, boolean open, int a, int b) {
     if (step == Operation.DIVIDE) {
       matters[a] = true;
       matters[b] |= !bounds.isZero(a);
-    } else if (step instanceof FunctionStep call) {
-      passOn(call.function(), target, open, a, b);
+    } else if (step instanceof MathFunction function) {
+      passOn(function, target, open, a, b);
     } else {
       matters[a] = true;
       matters[b] = true;
@@ -339,11 +342,11 @@ public final class TapePieces {
     int i = choices[choice];
     int a = tape.first[i];
     int b = tape.second[i];
-    if (tape.operation[i] instanceof FunctionStep call && call.function().jumps()) {
+    if (tape.operation[i] instanceof MathFunction function && function.jumps()) {
       return Double.POSITIVE_INFINITY;
     }
     Corners corners =
-        tape.operation[i] instanceof FunctionStep call ? call.function().corners() : Corners.NONE;
+        tape.operation[i] instanceof MathFunction function ? function.corners() : Corners.NONE;
     return switch (corners) {
       case EQUAL -> Math.min(high[a] - low[b], high[b] - low[a]);
       case SIDES, ZERO -> Math.min(-low[a], high[a]);
@@ -353,13 +356,18 @@ public final class TapePieces {
 
   /** Returns whether the value of a choice jumps where its piece changes. */
   public boolean jumps(int choice) {
-    return tape.operation[choices[choice]] instanceof FunctionStep call && call.function().jumps();
+    return tape.operation[choices[choice]] instanceof MathFunction function && function.jumps();
   }
 
-  /** Returns the largest size of the arguments of a choice in the box of {@link #decide}. */
+  /**
+   * Returns the largest size of what decides a choice, in the box of {@link #decide}: of a part the
+   * first argument, since the second is its value.
+   */
   public double size(int choice) {
-    int a = tape.first[choices[choice]];
-    int b = tape.second[choices[choice]];
+    int i = choices[choice];
+    boolean isPart = tape.operation[i] instanceof MathFunction function && function.isPart();
+    int a = tape.first[i];
+    int b = isPart ? a : tape.second[i];
     return Math.max(Math.max(-low[a], high[a]), Math.max(-low[b], high[b]));
   }
 

@@ -73,6 +73,19 @@ public final class Expressions {
   }
 
   /**
+   * Returns a call of a function as a node of its own, also where it is a formula of others; a
+   * constant if all arguments are constants and its value is finite.
+   */
+  public Scalar whole(MathFunction function, List<Scalar> arguments) {
+    boolean known = arguments.stream().allMatch(Scalar::isConstant);
+    double value =
+        known
+            ? function.value(arguments.stream().mapToDouble(Scalar::value).toArray())
+            : Double.NaN;
+    return Double.isFinite(value) ? constant(value) : call(function, arguments);
+  }
+
+  /**
    * Returns how many numbers of a row are not above x; a constant if x is one.
    *
    * @param ascending the row, ascending

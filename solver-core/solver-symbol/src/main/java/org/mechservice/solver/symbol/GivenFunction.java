@@ -16,6 +16,11 @@ public non-sealed interface GivenFunction extends FixedPart {
    */
   double value(double a, double b, double place);
 
+  /** Returns its value, or NaN if there is none; of one argument the second is ignored. */
+  default double at(double a, double b) {
+    return value(a, b, place(a, b));
+  }
+
   /**
    * Returns its derivative by an argument.
    *

@@ -31,7 +31,7 @@ import org.mechservice.solver.spatial.SinCos;
  * its row, a function of {@code mech_math.c} with the same bits, and, if formulas can call it, its
  * cases in {@code mech_watch.c}.
  */
-public enum MathFunction {
+public enum MathFunction implements WatchedStep {
   SQRT(
       one("sqrt", Math::sqrt)
           .units(UnitRule.ROOT)
@@ -387,19 +387,30 @@ public enum MathFunction {
     return traits.choice.orElseThrow();
   }
 
-  /** Finds the bounds of its values, without rounding, for a and b in two intervals. */
-  public void bound(Enclosure out, double aLow, double aHigh, double bLow, double bHigh) {
+  @Override
+  public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
     traits.bound.of(out, aLow, aHigh, bLow, bHigh);
-  }
-
-  /** Returns whether its values are not rounded. */
-  public boolean isExact() {
-    return traits.exact;
+    out.settle(traits.exact ? 0 : Enclosure.ROUNDING);
   }
 
   /** Returns where it is made of pieces. */
   public Corners corners() {
     return traits.corners;
+  }
+
+  @Override
+  public boolean hasPieces() {
+    return traits.corners != Corners.NONE;
+  }
+
+  @Override
+  public double piece(double a, double b) {
+    return traits.corners.piece(a, b);
+  }
+
+  @Override
+  public double distance(double a, double b) {
+    return traits.corners.distance(a, b);
   }
 
   /** Returns whether it is 0 to one side of 0 of its first argument, else the second. */
@@ -422,7 +433,7 @@ public enum MathFunction {
     return traits.repeats;
   }
 
-  /** Returns whether it can change much while its arguments hardly do, without a corner. */
+  @Override
   public boolean isNarrow() {
     return traits.narrow;
   }
@@ -432,12 +443,7 @@ public enum MathFunction {
     return traits.evenByValue;
   }
 
-  /**
-   * Returns whether its values stay near a parabola through three of them, for a and b in two
-   * intervals.
-   *
-   * @param highest the highest value there
-   */
+  @Override
   public boolean isEven(double aLow, double aHigh, double bLow, double bHigh, double highest) {
     return traits.even.holds(aLow, aHigh, bLow, bHigh, highest);
   }

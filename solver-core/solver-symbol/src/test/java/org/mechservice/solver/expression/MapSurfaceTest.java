@@ -32,7 +32,7 @@ class MapSurfaceTest {
   }
 
   private double at(MapSurface surface, double x, double y) {
-    return surface.value(x, y);
+    return surface.at(x, y);
   }
 
   @Test

@@ -29,6 +29,11 @@ final class TapePiecesTest {
   /** Returns the number of open choices for x and y in intervals. */
   private static int open(
       Expression formula, double xLow, double xHigh, double yLow, double yHigh) {
+    return decided(formula, xLow, xHigh, yLow, yHigh).undecidedCount();
+  }
+
+  private static TapePieces decided(
+      Expression formula, double xLow, double xHigh, double yLow, double yHigh) {
     Tape tape = new Tape(List.of(formula));
     TapePieces pieces = new TapePieces(tape, 1);
     for (int leaf = 0; leaf < tape.leaves().size(); leaf++) {
@@ -36,7 +41,7 @@ final class TapePiecesTest {
       pieces.setLeaf(leaf, x ? xLow : yLow, x ? xHigh : yHigh);
     }
     pieces.decide();
-    return pieces.undecidedCount();
+    return pieces;
   }
 
   @Test
@@ -84,6 +89,21 @@ final class TapePiecesTest {
     Expression law = positive(new Product(positive(X), new Sum(Expression.of(1), Y)));
     assertThat(open(law, -2, -1, -3, 3)).isZero();
     assertThat(open(law, -2, 1, 0, 3)).isGreaterThan(0);
+  }
+
+  /** A value of a thousand beside a boundary of size one would make far ways count as touches. */
+  @Test
+  void sizeOfAChoiceIsThatOfWhatDecidesIt() {
+    for (MathFunction part : List.of(MathFunction.WHERE, MathFunction.ELSEWHERE)) {
+      assertThat(sizeBetween(call(part, X, Y), -2, 1, 500, 1000)).as(part.name()).isEqualTo(2);
+    }
+    assertThat(sizeBetween(call(MathFunction.MAX, X, Y), -2, 1, 500, 1000)).isEqualTo(1000);
+    assertThat(sizeBetween(call(MathFunction.SIGNUM, X), -2, 1, 0, 0)).isEqualTo(2);
+  }
+
+  private static double sizeBetween(
+      Expression formula, double xLow, double xHigh, double yLow, double yHigh) {
+    return decided(formula, xLow, xHigh, yLow, yHigh).size(0);
   }
 
   @Test

@@ -1,17 +1,12 @@
-package org.mechservice.solver.expression;
-
-import org.mechservice.solver.symbol.Enclosure;
+package org.mechservice.solver.symbol;
 
 /**
- * A step of a tape on one or two earlier values, f(a) or f(a, b), with all that the search of steps
- * must know of it: an {@link Operation}, a {@link FunctionStep}, or the curve or map of a table.
+ * What the search of steps must know of a step f(a) or f(a, b) on one or two earlier values: an
+ * operation of arithmetic, a {@link MathFunction}, or the curve or map of a table.
  */
-interface TapeStep {
+public interface WatchedStep {
   /** Returns the name in printed code. */
   String name();
-
-  /** Returns f, or NaN if f is not defined; functions of one argument ignore b. */
-  double value(double a, double b);
 
   /** Finds the bounds of f, with its rounding, for a and b in two intervals. */
   void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out);
