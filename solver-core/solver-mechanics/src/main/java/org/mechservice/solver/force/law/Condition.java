@@ -4,6 +4,7 @@ package org.mechservice.solver.force.law;
 public enum Condition {
   FINITE("finite"),
   NOT_NEGATIVE("zero or positive"),
+  POSITIVE("positive"),
   AT_LEAST_ONE("at least 1"),
   ZERO_ON_ONE_SIDE("zero for a force that acts on one side only"),
   /** Follows a coefficient of friction. */
@@ -29,6 +30,7 @@ public enum Condition {
     return switch (this) {
       case FINITE -> true;
       case NOT_NEGATIVE -> value >= 0;
+      case POSITIVE -> value > 0;
       case AT_LEAST_ONE -> value >= 1;
       case ZERO_ON_ONE_SIDE -> value == 0;
       case POSITIVE_WITH_FRICTION -> value > 0 || (value == 0 && before == 0);
