@@ -139,7 +139,7 @@ public final class MethodReports {
                 "127.0.0.1",
                 0,
                 new HostOptions("embedded", 1).withUserCode(UserCodePolicy.UNCONFINED)));
-    private final MechConnection connection = MechConnection.open(server.url());
+    private final MechConnection connection = MechConnection.openOwn(server.url());
 
     MechConnection connection() {
       return connection;

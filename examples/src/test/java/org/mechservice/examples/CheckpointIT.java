@@ -160,7 +160,7 @@ class CheckpointIT {
     }
   }
 
-  /** What is to save a run does not end it: a disk without room for it. */
+  /** A run goes on if its checkpoint cannot be written, here for want of room on the disk. */
   @Test
   void checkpointThatCannotBeWrittenIsToldAndTheRunGoesOn() {
     Terminal.Ended ended =

@@ -123,7 +123,9 @@ class HostileTenantIT {
     int port = Service.freePort();
     String url = Service.url(port);
     Terminal terminal = new Terminal(folder);
-    try (Terminal.Running server = Service.startServer(folder, port, "--limit", "setUpTime=20");
+    // so much memory that the time is over first, also on a fast machine
+    String[] limits = {"--limit", "setUpTime=20", "--limit", "setUpMemory=8192"};
+    try (Terminal.Running server = Service.startServer(folder, port, limits);
         Terminal.Running bomb = terminal.startMech("check", "loops.xml", "--server", url)) {
       assertThat(server.stdout()).contains(url);
       terminal

@@ -33,6 +33,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.RemoteModel;
 import org.mechservice.client.failure.InvalidModelException;
+import org.mechservice.client.failure.JarRefusedException;
+import org.mechservice.guard.UserCode;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.report.measure.Effort;
@@ -163,7 +165,9 @@ class RemoteModelTest {
             throw new CancellationException("enough");
           }
         };
-    assertThatThrownBy(() -> service.read(file).set("push", 3).report(folder, least, enough))
+    UserCode consent = UserCode.NONE.unconfined();
+    assertThatThrownBy(
+            () -> service.read(file, consent).set("push", 3).report(folder, least, enough))
         .isInstanceOf(CancellationException.class);
     List<String> there = List.copyOf(told);
     told.clear();
@@ -171,6 +175,21 @@ class RemoteModelTest {
         .isInstanceOf(CancellationException.class);
     assertThat(there).isEqualTo(told);
     assertThat(folder.resolve("Parameters.csv")).isNotEmptyFile();
+  }
+
+  /** Steps and runs are confined; whatever would load a server's classes here needs consent. */
+  @Test
+  void classesOfAServerAreNotLoadedHereUnasked() throws Exception {
+    Effort least = new Effort("least", new double[] {1e-3}, 1, 1, 0, 1, 0, 0, 60);
+    RemoteModel model = service.read(PENDULUM);
+    assertThatThrownBy(model::instances)
+        .isInstanceOf(JarRefusedException.class)
+        .hasMessageContainingAll("S-168", "UserCode.unconfined");
+    assertThatThrownBy(() -> model.report(folder, least, ReportProgress.SILENT))
+        .isInstanceOf(JarRefusedException.class)
+        .hasMessageContaining("S-168");
+    assertThat(service.read(PENDULUM, UserCode.NONE.unconfined()).instances().model().description())
+        .isEqualTo(MechModel.read(PENDULUM).instances().model().description());
   }
 
   @Test
@@ -207,6 +226,8 @@ class RemoteModelTest {
       assertThat(there.row()).isEqualTo(here.row());
     }
     assertThat(there.isRunning()).isFalse();
+    assertThat(there.report().asMap().keySet()).isEqualTo(here.report().asMap().keySet());
+    assertThat(there.report().steps()).isEqualTo(here.report().steps());
     byte[] saved = there.save();
     assertThat(service.read(element("input")).until(0.5).stepped(0.01, saved).time())
         .isEqualTo(there.time());

@@ -46,6 +46,7 @@ import org.mechservice.idl.OPT_CONTINUES;
 import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.RuntimeInfo;
 import org.mechservice.orb.connection.LimitedBuffers;
+import org.mechservice.solver.api.program.SteppedModel;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.ModelFiles;
 
@@ -414,20 +415,62 @@ public final class MechSession implements AutoCloseable {
    * @throws IOException if no process can be started
    */
   public LocalRun prepareLocalRun(SimulationOptions options) throws IOException {
+    return withWorker(begun -> prepareLocalRun(options, begun));
+  }
+
+  /** What is prepared with a process for the model; empty if the model runs in this one. */
+  private interface Preparation<T> {
+    T with(Optional<CompletableFuture<WorkerProcess>> begun) throws IOException;
+  }
+
+  /** Begins to start a process while the model is on its way; it ends if nothing comes of it. */
+  private <T> T withWorker(Preparation<T> preparation) throws IOException {
     if (connection.isOwn()) {
-      return prepareLocalRun(options, Optional.empty());
+      return preparation.with(Optional.empty());
     }
     CompletableFuture<WorkerProcess> begun = LocalRuns.beginWorker();
     boolean prepared = false;
     try {
-      LocalRun run = prepareLocalRun(options, Optional.of(begun));
+      T made = preparation.with(Optional.of(begun));
       prepared = true;
-      return run;
+      return made;
     } finally {
       if (!prepared) {
         LocalRuns.end(begun);
       }
     }
+  }
+
+  /**
+   * Prepares a run on this machine that is stepped from outside, where {@link #prepareLocalRun}
+   * would compute it.
+   *
+   * @param options of a build with inputs from outside
+   * @throws InvalidOptionException if an option cannot be used
+   * @throws JarRefusedException as of {@link #prepareLocalRun}
+   * @throws IOException if no process can be started
+   */
+  public SteppedModel.Source prepareSteps(SimulationOptions options) throws IOException {
+    return withWorker(
+        begun -> {
+          NameValueSeqHolder answer = new NameValueSeqHolder(new NameValue[0]);
+          JarFetch jars = jars();
+          BuiltJar modelJar = jars.model(options.toNameValues(), answer);
+          SetUpFacts said = new SetUpFacts(answer.value);
+          keepWarnings(said);
+          Optional<byte[]> runtimeJar = jars.runtime(modelJar);
+          LocalRuns runs = localRuns(options, said);
+          if (begun.isPresent() && runtimeJar.isEmpty()) {
+            return runs.confinedSteps(modelJar, begun.get());
+          }
+          begun.ifPresent(LocalRuns::end);
+          return runs.stepsHere(modelJar, runtimeJar);
+        });
+  }
+
+  private LocalRuns localRuns(SimulationOptions options, SetUpFacts said) {
+    return new LocalRuns(
+        options.columnGroups(), options.isStrict(), options.driftBound(), said.silenced(), consent);
   }
 
   /**
@@ -444,13 +487,7 @@ public final class MechSession implements AutoCloseable {
     keepWarnings(said);
     Optional<byte[]> runtimeJar = jars.runtime(modelJar);
     double fetchSeconds = watch.lap();
-    LocalRuns runs =
-        new LocalRuns(
-            options.columnGroups(),
-            options.isStrict(),
-            options.driftBound(),
-            said.silenced(),
-            consent);
+    LocalRuns runs = localRuns(options, said);
     LocalRuns.Prepared prepared;
     if (begun.isPresent() && runtimeJar.isEmpty()) {
       prepared = runs.confined(modelJar, begun.get());
@@ -473,16 +510,25 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Fetches the compiled model for callers that run it themselves.
+   * Fetches the compiled model for callers that run it themselves: its classes have all rights of
+   * this program then.
    *
    * @throws InvalidOptionException if an option cannot be used
-   * @throws JarRefusedException if a JAR is not the one announced or does not fit this client
+   * @throws JarRefusedException if a JAR is not the one announced or does not fit this client, or
+   *     the server is not part of this program and there is no consent to unconfined code (S-168)
    */
   public LocalModel fetchModel(SimulationOptions options) {
     JarFetch jars = jars();
     BuiltJar modelJar =
         jars.model(options.toNameValues(), new NameValueSeqHolder(new NameValue[0]));
     Optional<byte[]> runtimeJar = jars.runtime(modelJar);
+    if (!connection.isOwn() && runtimeJar.isEmpty() && !consent.isUnconfined()) {
+      throw new JarRefusedException(
+          MessageCode.NO_CONFINEMENT.code(),
+          "the classes of the model come from the server and would have all rights of this program"
+              + " here; run or step the model, which is confined, or consent with --unconfined (in a"
+              + " program, with UserCode.unconfined)");
+    }
     return new LocalModel(modelJar, runtimeJar, consent);
   }
 

@@ -1,6 +1,7 @@
 package org.mechservice.client;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -8,20 +9,19 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.failure.InvalidOptionException;
 import org.mechservice.client.failure.ServiceException;
-import org.mechservice.client.jar.LocalModel;
 import org.mechservice.client.run.CheckpointStore;
 import org.mechservice.client.run.ControlledRun;
 import org.mechservice.client.run.RemoteRun;
 import org.mechservice.client.run.ReportReader;
 import org.mechservice.client.run.RunProgress;
 import org.mechservice.client.run.RunResult;
+import org.mechservice.guard.UserCode;
 import org.mechservice.idl.ModelReading;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.report.measure.Effort;
@@ -38,7 +38,6 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
-import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.AnalysisKind;
 import org.mechservice.solver.system.LinearSystem;
 import org.mechservice.solver.system.SystemTable;
@@ -366,7 +365,8 @@ public final class RemoteModel {
   /**
    * Begins a run that is stepped from outside: between two steps the inputs of the model, also
    * those with a table, are set, and within a step they are constant. The server compiles the
-   * model; the steps are taken on this machine, by the server's solver.
+   * model; the steps are taken on this machine, by the solver of this program, in a process that
+   * confines the model's classes.
    *
    * @param step time between two steps, s
    * @return the run at its start
@@ -374,15 +374,11 @@ public final class RemoteModel {
    * @throws InvalidOptionException if a setting does not fit the model
    * @throws IllegalArgumentException S-195 if the simulation is not integrated in time
    * @throws RunFailedException if the run cannot begin
+   * @throws JarRefusedException if the model's classes cannot be confined on this machine
+   * @throws UncheckedIOException if no process can be started for it
    */
   public SteppedModel stepped(double step) {
-    LocalModel fetched = outside(step);
-    return SteppedModel.begin(
-        fetched.solver(),
-        fetched.newModel(),
-        request(fetched),
-        fetched.jar().sha256(),
-        fetched.inputs());
+    return SteppedModel.begin(outside(step));
   }
 
   /**
@@ -392,41 +388,34 @@ public final class RemoteModel {
    * @param step as of the saved run
    * @param saved from {@link SteppedModel#save} of a model of this or another server
    * @throws IllegalArgumentException S-071 if the bytes do not belong to such a run of this model
+   * @throws UncheckedIOException if no process can be started for it
    */
   public SteppedModel stepped(double step, byte[] saved) {
-    LocalModel fetched = outside(step);
-    return SteppedModel.restored(
-        fetched.solver(),
-        fetched.newModel(),
-        request(fetched),
-        fetched.jar().sha256(),
-        fetched.inputs(),
-        saved);
+    return SteppedModel.restored(outside(step), saved);
   }
 
-  private LocalModel outside(double step) {
-    return fetched(options.inputsFromOutside().outputStep(step));
-  }
-
-  private LocalModel fetched(SimulationOptions asked) {
-    synchronized (session) {
-      return session.fetchModel(asked);
+  private SteppedModel.Source outside(double step) {
+    try {
+      synchronized (session) {
+        return session.prepareSteps(options.inputsFromOutside().outputStep(step));
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
-  }
-
-  private RunRequest request(LocalModel fetched) {
-    OptionalDouble drift = options.driftBound();
-    return fetched.request(options.columnGroups(), options.isStrict(), drift);
   }
 
   /**
    * Returns a source of instances of the generated model for runs in this process, with values of
-   * its tunable parameters.
+   * its tunable parameters. They have all rights of this program: the model was read with {@link
+   * UserCode#unconfined}, or the server is part of this program.
    *
    * @throws InvalidOptionException if the model cannot be built so; says why
+   * @throws JarRefusedException S-168 without that consent
    */
   public ModelSource instances() {
-    return fetched(options).source();
+    synchronized (session) {
+      return session.fetchModel(options).source();
+    }
   }
 
   /** Returns the SHA-256 of the model's JAR, which identifies model and settings to the bit. */

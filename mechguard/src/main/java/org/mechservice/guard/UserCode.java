@@ -25,6 +25,10 @@ public final class UserCode {
   /** No consent: a model with classes of users is refused. */
   public static final UserCode NONE = new UserCode(List.of(), false);
 
+  /** How programs consent, after the option of the command line. */
+  public static final String IN_PROGRAMS =
+      " (in a program, with UserCode.in; in Python, with user_code=)";
+
   private static final List<String> ENDS = List.of(".java", ".class");
 
   private final List<Path> folders;
@@ -107,7 +111,7 @@ public final class UserCode {
                     + "); code of a model runs only with your consent: if you trust it, name its"
                     + " folder with --user-code "
                     + folder
-                    + " (in a program, with UserCode.in)");
+                    + IN_PROGRAMS);
   }
 
   /**

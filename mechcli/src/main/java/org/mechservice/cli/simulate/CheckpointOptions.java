@@ -102,8 +102,8 @@ final class CheckpointOptions {
     }
 
     /**
-     * Never leaves half a checkpoint under the name asked for. What is to save a run does not end
-     * it: with a full disk the run goes on without.
+     * Never leaves half a checkpoint under the name asked for. A run whose checkpoint cannot be
+     * written, on a full disk say, goes on without it.
      */
     @Override
     public void keep(byte[] bytes) {

@@ -3,6 +3,7 @@ package org.mechservice.client.jar;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.client.failure.RemoteCalls;
 import org.mechservice.idl.JarInfo;
@@ -50,6 +51,12 @@ public record BuiltJar(
         info.runtimeSha256,
         info.signature,
         RemoteCalls.textsOf(info.manifest));
+  }
+
+  /** Returns the names of the inputs that a program sets between two steps. */
+  Set<String> inputs() {
+    String names = manifest.getOrDefault("Mech-Inputs", "");
+    return names.isEmpty() ? Set.of() : Set.of(names.split(" ", -1));
   }
 
   /**

@@ -1,15 +1,11 @@
 package org.mechservice.client.jar;
 
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.Set;
 import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.guard.UserCode;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Solver;
-import org.mechservice.solver.api.result.ColumnGroup;
-import org.mechservice.solver.api.run.RunRequest;
 
 /**
  * A fetched model with its solver, for callers that run it themselves, any number of times. It no
@@ -40,28 +36,6 @@ public final class LocalModel {
   /** Returns a source of instances of the model, one for each run. */
   public ModelSource source() {
     return fetched.newSource();
-  }
-
-  /**
-   * Returns what a run of the model asks of the solver, with the settings that it was built with.
-   *
-   * @param columns column groups asked for; empty: those its file selects
-   * @param strict whether the first warning ends the run
-   * @param maxDrift drift of the energy balance, over the energy scale, that ends it
-   */
-  public RunRequest request(
-      Optional<Set<ColumnGroup>> columns, boolean strict, OptionalDouble maxDrift) {
-    return new RunRequest(
-        newModel().description().defaults(),
-        columns.orElse(fetched.jar().shown()),
-        strict,
-        maxDrift);
-  }
-
-  /** Returns the names of the inputs that a program sets between two steps. */
-  public Set<String> inputs() {
-    String names = modelJar.manifest().getOrDefault("Mech-Inputs", "");
-    return names.isEmpty() ? Set.of() : Set.of(names.split(" ", -1));
   }
 
   /** Returns whether forces of it are classes of users. */

@@ -13,16 +13,23 @@ import org.mechservice.client.run.ComputationHere;
 import org.mechservice.client.run.ConfinedComputation;
 import org.mechservice.client.run.LocalComputation;
 import org.mechservice.client.run.LocalRun;
+import org.mechservice.client.run.ReportReader;
+import org.mechservice.client.run.RunResult;
 import org.mechservice.guard.Confinement;
 import org.mechservice.guard.UserCode;
 import org.mechservice.guard.WorkerBounds;
 import org.mechservice.guard.worker.WorkerDescription;
 import org.mechservice.guard.worker.WorkerLostException;
 import org.mechservice.guard.worker.WorkerModel;
+import org.mechservice.guard.worker.WorkerOrder;
 import org.mechservice.guard.worker.WorkerProcess;
+import org.mechservice.guard.worker.WorkerResult;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.program.SteppedModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunNotes;
+import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -103,6 +110,10 @@ public record LocalRuns(
     }
   }
 
+  /** A model that its process has described. */
+  private record Described(
+      VerifiedJar jar, WorkerProcess worker, WorkerModel model, WorkerDescription said) {}
+
   /**
    * Prepares a run in a process behind the walls, with the solver of this program.
    *
@@ -112,6 +123,49 @@ public record LocalRuns(
    * @throws IOException if the process cannot be started
    */
   public Prepared confined(BuiltJar modelJar, CompletableFuture<WorkerProcess> begun)
+      throws IOException {
+    Described in = described(modelJar, begun);
+    RunRequest request = request(in.jar(), in.said().settings());
+    return new Ready(
+        in.jar(),
+        new ConfinedComputation(in.worker(), in.model(), in.said(), request, unconfinedNote()),
+        request);
+  }
+
+  /**
+   * Prepares a run that is stepped from outside, as {@link #confined} does.
+   *
+   * @throws JarRefusedException likewise
+   * @throws IOException if the process cannot be started
+   */
+  public SteppedModel.Source confinedSteps(
+      BuiltJar modelJar, CompletableFuture<WorkerProcess> begun) throws IOException {
+    Described in = described(modelJar, begun);
+    RunRequest request = request(in.jar(), in.said().settings());
+    WorkerOrder order = new WorkerOrder(in.model(), Map.of(), request);
+    return new SteppedModel.Source(
+        rows ->
+            in.worker()
+                .steps(order, in.jar().sha256(), rows, told -> report(told, request.settings())),
+        in.said().coordinates(),
+        in.said().furtherStates(),
+        modelJar.inputs());
+  }
+
+  private RunReport report(WorkerResult told, RunSettings settings) {
+    WorkerResult noted = unconfinedNote().map(told::with).orElse(told);
+    return ReportReader.of(
+        new RunResult(noted.outcome(), noted.report()),
+        settings.tStart(),
+        settings.tEnd(),
+        settings.tStep());
+  }
+
+  private Optional<RunNotes.Note> unconfinedNote() {
+    return unconfined(consent.warning(Confinement.ofThisMachine()));
+  }
+
+  private Described described(BuiltJar modelJar, CompletableFuture<WorkerProcess> begun)
       throws IOException {
     VerifiedJar jar = VerifiedJar.of(modelJar);
     if (!jar.generated().containsKey(jar.mainClass())) {
@@ -128,13 +182,7 @@ public record LocalRuns(
     WorkerModel model = new WorkerModel(jar.mainClass(), jar.generated(), jar.ofUsers());
     try {
       WorkerProcess worker = begun.get();
-      WorkerDescription description = worker.describe(model);
-      RunRequest request = request(jar, description.settings());
-      return new Ready(
-          jar,
-          new ConfinedComputation(
-              worker, model, description, request, unconfined(consent.warning(wall))),
-          request);
+      return new Described(jar, worker, model, worker.describe(model));
     } catch (WorkerLostException | IllegalArgumentException e) {
       throw VerifiedJar.refused("cannot be loaded: " + e.getMessage());
     } catch (ExecutionException e) {
@@ -162,6 +210,19 @@ public record LocalRuns(
         fetched.jar(),
         new ComputationHere(source, fetched.solver(), request, unconfined(warning)),
         request);
+  }
+
+  /**
+   * Prepares a run that is stepped from outside in this process, as {@link #here} does.
+   *
+   * @throws JarRefusedException likewise
+   */
+  public SteppedModel.Source stepsHere(BuiltJar modelJar, Optional<byte[]> runtimeJar) {
+    FetchedModel fetched = FetchedModel.load(VerifiedJar.of(modelJar), runtimeJar, consent);
+    Model model = fetched.newSource().model();
+    RunRequest request = request(fetched.jar(), model.description().defaults());
+    return SteppedModel.Source.of(
+        fetched.solver(), model, request, fetched.jar().sha256(), modelJar.inputs());
   }
 
   private RunRequest request(VerifiedJar jar, RunSettings settings) {

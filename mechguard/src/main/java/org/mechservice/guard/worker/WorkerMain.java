@@ -16,6 +16,7 @@ import java.util.ServiceLoader;
 import java.util.concurrent.Semaphore;
 import org.mechservice.guard.ModelClassLoader;
 import org.mechservice.guard.UserClassLoader;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.result.ResultSink;
@@ -23,6 +24,7 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.StepwiseRun;
 
 /** Main class of a worker process: computes one run and ends. */
 public final class WorkerMain implements ResultSink {
@@ -40,6 +42,7 @@ public final class WorkerMain implements ResultSink {
   // To the worker, after the model
   static final byte DESCRIBE = 'Q';
   static final byte RUN = 'O';
+  static final byte STEPS = 'I';
   // To the worker, while it runs
   static final byte GO_ON = 'G';
   static final byte GO_FREELY = 'L';
@@ -89,10 +92,14 @@ public final class WorkerMain implements ResultSink {
         out.flush();
         asked = in.readByte();
       }
-      if (asked != RUN) {
+      if (asked != RUN && asked != STEPS) {
         throw new StreamCorruptedException("an order of the kind " + asked);
       }
       WorkerOrder order = WorkerOrder.read(model, in);
+      if (asked == STEPS) {
+        serveSteps(described.isPresent() ? described.get() : source(model), order);
+        return;
+      }
       CheckpointOrder checkpoints = CheckpointOrder.read(in);
       Thread listener = new Thread(this::listen, "orders");
       listener.setDaemon(true);
@@ -132,13 +139,24 @@ public final class WorkerMain implements ResultSink {
     }
   }
 
+  private static Solver solver() {
+    return ServiceLoader.load(Solver.class, WorkerMain.class.getClassLoader())
+        .findFirst()
+        .orElseThrow(() -> new IllegalStateException("no solver on the class path"));
+  }
+
+  private void serveSteps(ModelSource source, WorkerOrder order) throws IOException {
+    Model model = source.model(order.values());
+    String hash = in.readUTF();
+    StepwiseRun run = solver().stepped(model, order.request(), this, hash);
+    out.writeByte(StepServant.DONE);
+    out.flush();
+    new StepServant(in, out, run, model.description().stateCount()).serve();
+  }
+
   private RunReport run(ModelSource source, WorkerOrder order, Checkpoints checkpoints)
       throws IOException {
-    Solver solver =
-        ServiceLoader.load(Solver.class, WorkerMain.class.getClassLoader())
-            .findFirst()
-            .orElseThrow(() -> new IllegalStateException("no solver on the class path"));
-    return solver.run(source.model(order.values()), order.request(), this, control, checkpoints);
+    return solver().run(source.model(order.values()), order.request(), this, control, checkpoints);
   }
 
   /**

@@ -9,7 +9,6 @@ import java.io.IOException;
 import java.io.StreamCorruptedException;
 import java.io.UTFDataFormatException;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -18,13 +17,14 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.mechservice.guard.Confinement;
 import org.mechservice.guard.WorkerBounds;
 import org.mechservice.solver.api.result.ResultSink;
-import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.WellFormedText;
 
@@ -62,7 +62,6 @@ public final class WorkerProcess implements AutoCloseable {
             return thread;
           });
 
-  private static final int MOST_COLUMNS = 1_000_000;
   private static final int MOST_CHECKPOINT_BYTES = 1 << 28;
   private static final double MEGABYTE = 1e6;
   private static final double NANOSECONDS = 1e9;
@@ -108,13 +107,26 @@ public final class WorkerProcess implements AutoCloseable {
     return cpuNanos;
   }
 
-  /** The process, and the streams to and from it. */
-  private record Talk(Process process, DataOutputStream out, DataInputStream in) {
-    static Talk with(Process started) {
+  /**
+   * The process, and the streams to and from it.
+   *
+   * @param memoryBytes what it may use
+   */
+  record Talk(Process process, DataOutputStream out, DataInputStream in, long memoryBytes) {
+    static Talk with(Process started, WorkerBounds bounds) {
       return new Talk(
           started,
           new DataOutputStream(new BufferedOutputStream(started.getOutputStream())),
-          new DataInputStream(new BufferedInputStream(started.getInputStream())));
+          new DataInputStream(new BufferedInputStream(started.getInputStream())),
+          bounds.heapBytes());
+    }
+
+    /** Returns what an end of the talk that was not expected says of the process. */
+    WorkerLostException lost(IOException end) {
+      if (end instanceof StreamCorruptedException nonsense) {
+        return makesNoSense(nonsense);
+      }
+      return WorkerProcess.lost(process, memoryBytes);
     }
   }
 
@@ -131,7 +143,7 @@ public final class WorkerProcess implements AutoCloseable {
                   .command(bounds, WorkerMain.class, List.of())
                   .redirectError(ProcessBuilder.Redirect.DISCARD));
       process = Optional.of(started);
-      talk = Optional.of(Talk.with(started));
+      talk = Optional.of(Talk.with(started, bounds));
     }
   }
 
@@ -224,12 +236,44 @@ public final class WorkerProcess implements AutoCloseable {
       watch.setDaemon(true);
       watch.start();
       return dialogue.hold(order, hasModel);
-    } catch (StreamCorruptedException e) {
-      throw makesNoSense(e);
-    } catch (PeerGoneException e) {
-      throw lost(with.process(), bounds.heapBytes());
+    } catch (StreamCorruptedException | PeerGoneException e) {
+      throw with.lost(e);
     } finally {
       Confinement.end(with.process());
+    }
+  }
+
+  /**
+   * Begins a run that is stepped from outside, of the model that the process has described.
+   *
+   * @param hash identifies the model in saved runs
+   * @param sink takes the rows
+   * @param reports makes a report of what the worker tells
+   * @throws IllegalArgumentException if the settings do not fit the model; the message names the
+   *     reason
+   * @throws WorkerLostException if the process has ended
+   */
+  public WorkerSteps steps(
+      WorkerOrder order, String hash, ResultSink sink, Function<WorkerResult, RunReport> reports)
+      throws IOException {
+    Talk with = talk();
+    boolean begun = false;
+    try {
+      WorkerSteps steps = new WorkerSteps(with, sink, reports);
+      steps.answerOf(
+          () -> {
+            with.out().writeByte(WorkerMain.STEPS);
+            order.write(with.out());
+            with.out().writeUTF(hash);
+          });
+      begun = true;
+      return steps;
+    } catch (StreamCorruptedException | PeerGoneException e) {
+      throw with.lost(e);
+    } finally {
+      if (!begun) {
+        close();
+      }
     }
   }
 
@@ -320,7 +364,7 @@ public final class WorkerProcess implements AutoCloseable {
   }
 
   /** The worker has closed its end. */
-  private static final class PeerGoneException extends IOException {
+  static final class PeerGoneException extends IOException {
     private static final long serialVersionUID = 1L;
 
     PeerGoneException(IOException cause) {
@@ -332,10 +376,9 @@ public final class WorkerProcess implements AutoCloseable {
   private static final class Dialogue implements AutoCloseable {
     private final DataInputStream in;
     private final DataOutputStream out;
-    private final ResultSink sink;
+    private final WorkerRows rows;
     private final RunControl control;
     private final Checkpoints checkpoints;
-    private double[] row = new double[0];
 
     /** When the last checkpoint was kept, or the run began. */
     private volatile long savedAt = System.nanoTime();
@@ -351,7 +394,7 @@ public final class WorkerProcess implements AutoCloseable {
         Checkpoints checkpoints) {
       this.in = in;
       this.out = out;
-      this.sink = sink;
+      this.rows = new WorkerRows(in, sink);
       this.control = control;
       this.checkpoints = checkpoints;
     }
@@ -381,13 +424,13 @@ public final class WorkerProcess implements AutoCloseable {
       while (true) {
         byte kind = receive(in::readByte);
         switch (kind) {
-          case WorkerMain.COLUMNS -> sink.begin(columns());
-          case WorkerMain.ROW -> sink.row(receive(this::nextRow));
+          case WorkerMain.COLUMNS -> rows.begin();
+          case WorkerMain.ROW -> rows.next();
           case WorkerMain.STEP -> step(true);
           case WorkerMain.WAIT -> step(false);
           case WorkerMain.REACHED -> reached();
           case WorkerMain.CHECKPOINT -> {
-            checkpoints.keep(receive(this::checkpoint));
+            checkpoints.keep(receive(() -> readBytes(in)));
             savedAt = System.nanoTime();
           }
           case WorkerMain.END -> {
@@ -398,42 +441,6 @@ public final class WorkerProcess implements AutoCloseable {
           default -> throw new StreamCorruptedException("a message of the kind " + kind);
         }
       }
-    }
-
-    private List<Variable> columns() throws IOException {
-      int count = receive(in::readInt);
-      if (count < 1 || count > MOST_COLUMNS || row.length > 0) {
-        throw new StreamCorruptedException(count + " columns");
-      }
-      List<Variable> columns = new ArrayList<>();
-      for (int i = 0; i < count; i++) {
-        String name = receive(() -> WellFormedText.of(in.readUTF()));
-        columns.add(new Variable(name, receive(() -> WellFormedText.of(in.readUTF()))));
-      }
-      row = new double[count];
-      return columns;
-    }
-
-    private double[] nextRow() throws IOException {
-      if (row.length == 0) {
-        throw new StreamCorruptedException("a row before the columns");
-      }
-      for (int i = 0; i < row.length; i++) {
-        row[i] = in.readDouble();
-      }
-      return row;
-    }
-
-    private byte[] checkpoint() throws IOException {
-      int length = in.readInt();
-      if (length < 0 || length > MOST_CHECKPOINT_BYTES) {
-        throw new StreamCorruptedException("a checkpoint of " + length + " bytes");
-      }
-      byte[] bytes = in.readNBytes(length);
-      if (bytes.length < length) {
-        throw new EOFException();
-      }
-      return bytes;
     }
 
     /**
@@ -492,31 +499,43 @@ public final class WorkerProcess implements AutoCloseable {
     }
   }
 
-  private static WorkerLostException thrown(DataInputStream in) throws IOException {
+  /** Reads a saved run. */
+  static byte[] readBytes(DataInputStream in) throws IOException {
+    int length = in.readInt();
+    if (length < 0 || length > MOST_CHECKPOINT_BYTES) {
+      throw new StreamCorruptedException("a checkpoint of " + length + " bytes");
+    }
+    byte[] bytes = in.readNBytes(length);
+    if (bytes.length < length) {
+      throw new EOFException();
+    }
+    return bytes;
+  }
+
+  static WorkerLostException thrown(DataInputStream in) throws IOException {
     return new WorkerLostException(
         MessageCode.WORKER_ENDED,
         "the process of the run failed: " + receive(() -> WellFormedText.of(in.readUTF())) + ".",
         ASK_CLASSES);
   }
 
-  private static IllegalArgumentException refused(DataInputStream in) throws IOException {
+  static IllegalArgumentException refused(DataInputStream in) throws IOException {
     String why = receive(() -> WellFormedText.of(in.readUTF()));
     return new IllegalArgumentException(why);
   }
 
-  private interface Reading<T> {
+  interface Reading<T> {
     T read() throws IOException;
   }
 
-  private interface Writing {
+  interface Writing {
     void write() throws IOException;
   }
 
   /**
    * A row that cannot be kept is the host's trouble; a message that does not come, the worker's.
    */
-  private static <T> T receive(Reading<T> message)
-      throws PeerGoneException, StreamCorruptedException {
+  static <T> T receive(Reading<T> message) throws PeerGoneException, StreamCorruptedException {
     try {
       return message.read();
     } catch (StreamCorruptedException | UTFDataFormatException e) {
@@ -526,7 +545,7 @@ public final class WorkerProcess implements AutoCloseable {
     }
   }
 
-  private static void send(DataOutputStream out, Writing message) throws PeerGoneException {
+  static void send(DataOutputStream out, Writing message) throws PeerGoneException {
     try {
       message.write();
       out.flush();

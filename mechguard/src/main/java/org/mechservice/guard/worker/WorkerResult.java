@@ -28,6 +28,14 @@ public record WorkerResult(Map<String, Object> report, Outcome outcome) {
     return new WorkerResult(noted, outcome);
   }
 
+  /** Returns the result of a run whose worker has been lost. */
+  public static WorkerResult lost(Failure failure) {
+    Map<String, Object> report = new LinkedHashMap<>();
+    report.put("outcome", "failed");
+    report.put("failure", failure.message());
+    return new WorkerResult(report, new Outcome.Failed(failure));
+  }
+
   void write(DataOutputStream out) throws IOException {
     out.writeInt(report.size());
     for (Map.Entry<String, Object> entry : report.entrySet()) {

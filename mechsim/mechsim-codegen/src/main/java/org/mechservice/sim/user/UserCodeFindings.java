@@ -3,6 +3,7 @@ package org.mechservice.sim.user;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -45,7 +46,8 @@ final class UserCodeFindings {
                 + ".java or "
                 + simple
                 + ".class, or either in the folders of its package, into the folder given with"
-                + " --user-code (in a program, with UserCode.in)",
+                + " --user-code"
+                + UserCode.IN_PROGRAMS,
             file,
             0,
             0,

@@ -56,6 +56,11 @@ public final class FormulaEvaluation {
       System.arraycopy(outputs, 0, values, 0, results);
     }
 
+    /** Returns whether all derivatives are zero everywhere. */
+    boolean areZero() {
+      return leaves.length == 0;
+    }
+
     void write(int row, double[] gradient) {
       Arrays.fill(gradient, 0);
       for (int i = row == 0 ? 0 : ends[row - 1]; i < ends[row]; i++) {
@@ -187,11 +192,14 @@ public final class FormulaEvaluation {
       FormulaPrograms.ByLeaves derived = new FormulaPrograms(formulas).gradientChange(index);
       changes.set(index, Optional.of(new Slopes(derived, formulas.size())));
     }
-    for (int leaf = 0; leaf < leaves.size(); leaf++) {
-      inputs[FormulaPrograms.INPUTS * leaf + FormulaPrograms.DIRECTION] = direction[leaf];
+    Slopes slopes = changes.get(index).get();
+    if (!slopes.areZero()) {
+      for (int leaf = 0; leaf < leaves.size(); leaf++) {
+        inputs[FormulaPrograms.INPUTS * leaf + FormulaPrograms.DIRECTION] = direction[leaf];
+      }
+      slopes.evaluate(inputs, results);
     }
-    changes.get(index).get().evaluate(inputs, results);
-    changes.get(index).get().write(0, change);
+    slopes.write(0, change);
   }
 
   /** Returns the first result whose value is not finite, or −1. */

@@ -64,18 +64,58 @@ public final class SteppedModel {
 
   private final double[] y;
 
-  private SteppedModel(
-      LastRow row, StepwiseRun run, ModelDescription description, Set<String> inputs) {
+  /**
+   * The run behind it, and what its state is made of.
+   *
+   * @param coordinates the number of positions and velocities, with which a state begins
+   * @param furtherStates those that follow them
+   * @param inputs names of the further states that are inputs
+   */
+  public record Source(
+      Start start, int coordinates, List<Variable> furtherStates, Set<String> inputs) {
+    public Source {
+      furtherStates = List.copyOf(furtherStates);
+      inputs = Set.copyOf(inputs);
+    }
+
+    /**
+     * Returns a run in this process.
+     *
+     * @param model one that no other run uses, built for inputs from outside
+     * @param hash identifies the model in saved runs
+     */
+    public static Source of(
+        Solver solver, Model model, RunRequest request, String hash, Set<String> inputs) {
+      ModelDescription description = model.description();
+      return new Source(
+          rows -> solver.stepped(model, request, rows, hash),
+          description.positionCount() + description.velocityCount(),
+          description.furtherStates().stream().map(StateVariable::variable).toList(),
+          inputs);
+    }
+  }
+
+  /** Makes the run. */
+  public interface Start {
+    /**
+     * Returns a run that has not begun.
+     *
+     * @param rows takes its rows
+     */
+    StepwiseRun with(ResultSink rows) throws IOException;
+  }
+
+  private SteppedModel(LastRow row, StepwiseRun run, Source source) {
     this.row = row;
     this.run = run;
-    further = description.furtherStates().stream().map(StateVariable::variable).toList();
-    this.inputs = Set.copyOf(inputs);
-    furtherOffset = description.positionCount() + description.velocityCount();
+    further = source.furtherStates();
+    inputs = source.inputs();
+    furtherOffset = source.coordinates();
     inputIndex =
         IntStream.range(0, further.size())
             .filter(i -> this.inputs.contains(further.get(i).name()))
             .toArray();
-    y = new double[description.stateCount()];
+    y = new double[furtherOffset + further.size()];
   }
 
   /**
@@ -92,7 +132,17 @@ public final class SteppedModel {
    */
   public static SteppedModel begin(
       Solver solver, Model model, RunRequest request, String hash, Set<String> inputs) {
-    SteppedModel stepped = of(solver, model, request, hash, inputs);
+    return begin(Source.of(solver, model, request, hash, inputs));
+  }
+
+  /**
+   * Begins a run that is somewhere else.
+   *
+   * @throws IllegalArgumentException if its request does not fit the model
+   * @throws RunFailedException if the run cannot begin
+   */
+  public static SteppedModel begin(Source source) {
+    SteppedModel stepped = of(source);
     try {
       stepped.run.begin();
     } catch (IOException e) {
@@ -115,17 +165,20 @@ public final class SteppedModel {
       String hash,
       Set<String> inputs,
       byte[] saved) {
-    SteppedModel stepped = of(solver, model, request, hash, inputs);
+    return restored(Source.of(solver, model, request, hash, inputs), saved);
+  }
+
+  /** Goes on with a saved run that is somewhere else. */
+  public static SteppedModel restored(Source source, byte[] saved) {
+    SteppedModel stepped = of(source);
     stepped.run.restore(saved);
     return stepped;
   }
 
-  private static SteppedModel of(
-      Solver solver, Model model, RunRequest request, String hash, Set<String> inputs) {
+  private static SteppedModel of(Source source) {
     LastRow row = new LastRow();
     try {
-      StepwiseRun run = solver.stepped(model, request, row, hash);
-      return new SteppedModel(row, run, model.description(), inputs);
+      return new SteppedModel(row, source.start().with(row), source);
     } catch (IOException e) {
       throw noFile(e);
     }
