@@ -39,7 +39,6 @@ import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** What the client library promises, against a server whose answers are written down. */
 class ClientContractTest {
@@ -139,8 +138,9 @@ class ClientContractTest {
   @Test
   void solverOfTheSameBitsIsThisProgramsAndNoneIsFetched() throws IOException {
     server.fingerprint = SolverClasses.fingerprint();
-    assertThat(session.fetchModel(SimulationOptions.asInFile()).solver())
-        .isInstanceOf(RuntimeSolver.class);
+    assertThatThrownBy(() -> session.fetchModel(SimulationOptions.asInFile()))
+        .isInstanceOf(JarRefusedException.class)
+        .hasMessageContaining("S-168");
     assumeTrue(Confinement.ofThisMachine().stands(), "this machine cannot confine");
     session.prepareLocalRun(SimulationOptions.asInFile()).close();
     assertThat(server.runtimeFetches).hasValue(0);

@@ -35,7 +35,7 @@ public record CodeForecast(FormulationChoice choice, int operations, List<Omissi
             model.settings().run(),
             model);
     List<String> notGenerated =
-        GenerationLimits.notGenerated(
+        GenerationLimits.leftToData(
             model.watchedMechanism(),
             choice,
             () -> model.closedStart(model.settings().run().tStart()).rank());

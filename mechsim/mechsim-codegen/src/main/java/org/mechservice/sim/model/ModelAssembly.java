@@ -3,6 +3,7 @@ package org.mechservice.sim.model;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.mechservice.mechml.MechmlModel;
@@ -13,6 +14,7 @@ import org.mechservice.sim.emit.ModelClass;
 import org.mechservice.sim.emit.ModelPlan;
 import org.mechservice.sim.emit.TermsClass;
 import org.mechservice.sim.emit.TermsPlan;
+import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
@@ -55,11 +57,12 @@ final class ModelAssembly {
    * @throws ModelBuildException S-092 if the loops cannot be closed at the start
    */
   GeneratedModel generated() {
+    Mechanism watched = model.watchedMechanism();
+    IntSupplier independent = () -> model.closedStart(options.settings().tStart()).rank();
     List<String> beyond =
-        GenerationLimits.notGenerated(
-            model.watchedMechanism(),
-            choice,
-            () -> model.closedStart(options.settings().tStart()).rank());
+        options.form() == CodeForm.AUTO
+            ? GenerationLimits.leftToData(watched, choice, independent)
+            : GenerationLimits.notGenerated(watched, choice, independent);
     boolean open = mechanism.closures().isEmpty();
     if (!open) {
       requireClosedLoops();

@@ -42,6 +42,18 @@ class GenerationLimitsTest {
   }
 
   @Test
+  void largeTreeIsLeftToThePrintedSteps() throws IOException, MechmlException {
+    Path file = Path.of("..", "..", "examples", "extremes", "chain_1000.xml");
+    Mechanism chain = MechmlReader.read("chain_1000.xml", Files.readAllBytes(file)).mechanism();
+    FormulationChoice dtr = new FormulationChoice("DTR", "none", "asked for");
+    assertThat(GenerationLimits.leftToData(chain, dtr, () -> 0))
+        .containsExactly(
+            "articulated bodies of more than 200 velocities (it has 1000), whose printed steps are"
+                + " sooner done");
+    assertThat(GenerationLimits.notGenerated(chain, dtr, () -> 0)).isEmpty();
+  }
+
+  @Test
   void whatGrowsWithTheLengthOfAChainAloneIsGenerated() {
     assertThat(GenerationLimits.noFaster("DTR", 68_147)).isEmpty();
     assertThat(GenerationLimits.noFaster("RR", 68_147)).isEmpty();

@@ -52,11 +52,12 @@ class LongScenesTest {
   private static final double TIME = 0.4;
   private static final int STAR = 500;
 
+  /** Code in the form asked for: by itself a large tree is left to its data. */
   private static BuildOptions options(String formulation, boolean compact) {
     String integrator = formulation.equals("RR") ? "ode15sR" : "DE";
     RunSettings settings = new RunSettings(0, 3, 0.01, integrator, 1e-5, 1e-5);
     EnumSet<ColumnGroup> columns = EnumSet.range(ColumnGroup.JOINTS, ColumnGroup.ENERGY);
-    return new BuildOptions(formulation, "auto", compact, columns, settings);
+    return new BuildOptions(formulation, "auto", compact, columns, settings).in(CodeForm.SHARED);
   }
 
   /** Returns the model as code, every method of which the virtual machine compiles. */

@@ -284,7 +284,7 @@ class SharedKernelsTest {
   @Test
   void aChainOfAThousandLinksIsOneSmallClass() {
     MechmlModel chain = Scenes.model(Chains.ofEqualLinks(1000));
-    BuildOptions options = new BuildOptions("DTR", Set.of(), Scenes.SETTINGS);
+    BuildOptions options = new BuildOptions("DTR", Set.of(), Scenes.SETTINGS).in(CodeForm.SHARED);
     byte[] file = classFile(ModelFactory.generate(chain, options));
     assertThat(file.length).isLessThan(65_000);
     assertThat(MethodSizes.longest(file)).isLessThan(8000);
