@@ -40,7 +40,7 @@ final class ReportCommand implements Callable<Integer> {
   private List<Path> models = List.of();
 
   @Option(
-      names = {"-o", "--output"},
+      names = {"-o", "--output", "--out"},
       paramLabel = "DIR",
       description = "Folder for the pages; a report that was interrupted is taken up again there.")
   private Optional<Path> output = Optional.empty();

@@ -40,7 +40,7 @@ import picocli.CommandLine.Spec;
     versionProvider = MechVersion.class)
 final class StabilityCommand implements Callable<Integer> {
   @Option(
-      names = {"-o", "--output"},
+      names = {"-o", "--output", "--out"},
       required = true,
       paramLabel = "DIR",
       description = "Folder for the pages.")

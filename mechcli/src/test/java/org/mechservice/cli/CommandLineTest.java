@@ -168,4 +168,26 @@ class CommandLineTest {
         .contains("--formulation", "--columns")
         .doesNotContain("--view", "--plot");
   }
+
+  /** Nobody has to know which of them a command has. */
+  @Test
+  void fileToWriteHasTheSameNamesInAllCommands() {
+    assertThat(mech("help")).isEqualTo(ExitStatus.DONE);
+    List<String> commands =
+        out.toString().lines().filter(line -> line.matches("  [a-z]+ +[A-Z].*")).toList();
+    assertThat(commands).hasSizeGreaterThan(20);
+    int writing = 0;
+    for (String line : commands) {
+      String command = line.strip().split(" ", 2)[0];
+      out.getBuffer().setLength(0);
+      assertThat(mech("help", command)).as(command).isEqualTo(ExitStatus.DONE);
+      String help = out.toString();
+      if (help.contains("--out")) {
+        writing++;
+        assertThat(help).as(command).contains("-o, --out").contains("--output");
+        assertThat(help).as(command).containsPattern("--out[,=]");
+      }
+    }
+    assertThat(writing).isGreaterThan(10);
+  }
 }

@@ -43,7 +43,7 @@ public final class BuildCommand implements Callable<Integer> {
   private Path model = Path.of("");
 
   @Option(
-      names = {"-o", "--output"},
+      names = {"-o", "--output", "--out"},
       paramLabel = "FILE.jar|FILE.fmu",
       hideParamSyntax = true,
       description =

@@ -29,7 +29,7 @@ public final class ExamplesCommand implements Callable<Integer> {
   private @Nullable String name;
 
   @Option(
-      names = {"-o", "--out"},
+      names = {"-o", "--out", "--output"},
       paramLabel = "DIR",
       description = "The new folder for the copy; default: NAME in the current folder.")
   private @Nullable Path target;

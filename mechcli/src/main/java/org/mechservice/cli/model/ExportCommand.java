@@ -39,7 +39,7 @@ public final class ExportCommand implements Callable<Integer> {
   private Path model = Path.of("");
 
   @Option(
-      names = {"-o", "--output"},
+      names = {"-o", "--output", "--out"},
       required = true,
       paramLabel = "FILE",
       description = "The robot to write: FILE.urdf in URDF, FILE.xml or FILE.mjcf in MJCF.")

@@ -94,7 +94,7 @@ public final class ImportCommand implements Callable<Integer> {
   private String robot = "";
 
   @Option(
-      names = {"-o", "--output"},
+      names = {"-o", "--output", "--out"},
       required = true,
       paramLabel = "MODEL.xml",
       description = "The model file to write.")

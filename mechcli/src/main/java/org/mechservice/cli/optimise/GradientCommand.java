@@ -108,7 +108,7 @@ public final class GradientCommand implements Callable<Integer> {
   private int memory;
 
   @Option(
-      names = "--out",
+      names = {"-o", "--out", "--output"},
       paramLabel = "FILE.csv",
       description = "Write a row for each output: its value and its derivatives.")
   private @Nullable Path out;

@@ -83,7 +83,7 @@ public final class CompareCommand implements Callable<Integer> {
   private boolean json;
 
   @Option(
-      names = {"-o", "--output"},
+      names = {"-o", "--output", "--out"},
       paramLabel = "FILE.svg|png|html",
       hideParamSyntax = true,
       description =

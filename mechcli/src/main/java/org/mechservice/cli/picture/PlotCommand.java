@@ -43,7 +43,7 @@ public final class PlotCommand implements Callable<Integer> {
   private List<String> words = List.of();
 
   @Option(
-      names = {"-o", "--output"},
+      names = {"-o", "--output", "--out"},
       required = true,
       paramLabel = "FILE.svg|png|html",
       description = "The picture to write, or a page with zoom and values at the cursor.")

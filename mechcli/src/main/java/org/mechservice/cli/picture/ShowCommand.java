@@ -33,7 +33,7 @@ public final class ShowCommand implements Callable<Integer> {
   private Path model = Path.of("");
 
   @Option(
-      names = {"-o", "--output"},
+      names = {"-o", "--output", "--out"},
       required = true,
       paramLabel = "FILE.svg|png",
       description = "The drawing to write.")

@@ -83,7 +83,7 @@ public final class ViewCommand implements Callable<Integer> {
   private Path input = Path.of("");
 
   @Option(
-      names = {"-o", "--output"},
+      names = {"-o", "--output", "--out"},
       paramLabel = "FILE.html|glb|mp4|webm|gif|png",
       description =
           "The page to write, with a player that needs no network, an animated scene for other"

@@ -52,7 +52,7 @@ final class ResultOptions {
   private static final Set<String> NEVER_LEFT_OUT = Set.of("stiffness", "notes");
 
   @Option(
-      names = "--out",
+      names = {"-o", "--out", "--output"},
       paramLabel = "FILE",
       description = {
         "Write the rows here; may be given several times. The name ends in .csv or .tsv (units"

@@ -56,7 +56,7 @@ public final class StudyCommand implements Callable<Integer> {
   private @Nullable Path file;
 
   @Option(
-      names = {"-o", "--output"},
+      names = {"-o", "--output", "--out"},
       paramLabel = "FILE",
       description =
           "The table to write, .csv or .parquet (default: the study's name with .csv, in this folder); beside it"

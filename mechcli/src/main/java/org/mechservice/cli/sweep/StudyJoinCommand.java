@@ -29,7 +29,7 @@ public final class StudyJoinCommand implements Callable<Integer> {
   private List<Path> parts = List.of();
 
   @Option(
-      names = {"-o", "--output"},
+      names = {"-o", "--output", "--out"},
       required = true,
       paramLabel = "ALL",
       description = "The table to write, .csv or .parquet.")

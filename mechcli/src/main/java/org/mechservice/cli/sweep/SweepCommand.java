@@ -76,7 +76,7 @@ public final class SweepCommand implements Callable<Integer> {
   private List<String> set = List.of();
 
   @Option(
-      names = {"-o", "--out"},
+      names = {"-o", "--out", "--output"},
       paramLabel = "FILE",
       description =
           "Write the table here, .csv or .parquet, instead of printing it; beside it a file with"
