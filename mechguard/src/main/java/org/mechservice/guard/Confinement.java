@@ -43,10 +43,14 @@ public final class Confinement {
 
   private static final String WALL_SHELL = "/bin/sh";
 
-  /** Sets the bounds of the kernel and opens the filter, then becomes what its arguments say. */
+  /**
+   * Sets the bounds of the kernel and opens the filter, then becomes what its arguments say, with
+   * no environment: the shell has put the working folder into its own, which a worker can read of
+   * its parent.
+   */
   private static final String SHELL =
       "ulimit -c 0 && ulimit -v \"$1\" && ulimit -t \"$2\" && exec 3<\"$3\" && rm -f -- \"$3\""
-          + " && shift 3 && exec \"$@\"";
+          + " && shift 3 && exec /usr/bin/env -i \"$@\"";
 
   private static final List<String> ISOLATION =
       List.of(

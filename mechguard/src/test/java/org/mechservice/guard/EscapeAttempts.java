@@ -46,7 +46,7 @@ final class EscapeAttempts {
         "opens the memory of the first process", () -> new FileInputStream("/proc/1/mem").read());
     attempt(
         "reads the environment of the first process",
-        () -> require(new FileInputStream("/proc/1/environ").readAllBytes().length > 60));
+        () -> require(new FileInputStream("/proc/1/environ").readAllBytes().length > 0));
     attempt("sees an environment", () -> require(System.getenv().size() > 2));
     attempt("sees other processes", () -> require(ProcessHandle.allProcesses().count() > 2));
     attempt("writes a file", () -> writes(Path.of("/tmp")));
