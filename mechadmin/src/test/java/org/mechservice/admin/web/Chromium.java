@@ -33,7 +33,8 @@ import java.util.concurrent.atomic.AtomicInteger;
  * all pages share it.
  */
 public final class Chromium implements AutoCloseable, WebSocket.Listener {
-  private static final long PATIENCE_SECONDS = 60;
+  /** So long that a browser which draws in software beside busy processes is waited for. */
+  private static final long PATIENCE_SECONDS = 240;
 
   /** The numbers by which browsers know keys that type nothing. */
   private static final Map<String, Integer> NAMED_KEYS =
