@@ -124,7 +124,7 @@ class HostileTenantIT {
     String url = Service.url(port);
     Terminal terminal = new Terminal(folder);
     // so much memory that the time is over first, also on a fast machine
-    String[] limits = {"--limit", "setUpTime=20", "--limit", "setUpMemory=8192"};
+    String[] limits = {"--limit", "setUpTime=20", "--limit", "setUpMemory=8589934592"};
     try (Terminal.Running server = Service.startServer(folder, port, limits);
         Terminal.Running bomb = terminal.startMech("check", "loops.xml", "--server", url)) {
       assertThat(server.stdout()).contains(url);
