@@ -24,7 +24,7 @@ public class Evaluations extends Measured {
 
   private ExplicitModel articulated = articulated(LinkChain.of(1));
   private ExplicitModel semiRecursive = articulated;
-  private LinearisedResidualModel linearised = linearised(LinkChain.of(1));
+  private LinearisedResidualModel linearised = MeasuredScenes.linearised(LinkChain.of(1));
   private RecursiveResidualModel residual = linearised;
   private double[] y = {};
   private double[] yDot = {};
@@ -38,7 +38,7 @@ public class Evaluations extends Measured {
     semiRecursive =
         new SemiRecursiveModel(mechanism, MeasuredScenes.SETTINGS, UserForceSource.NONE);
     residual = new RecursiveResidualModel(mechanism, MeasuredScenes.SETTINGS, UserForceSource.NONE);
-    linearised = linearised(mechanism);
+    linearised = MeasuredScenes.linearised(mechanism);
     y = new double[articulated.description().stateCount()];
     yDot = new double[y.length];
     values = new double[y.length];
@@ -50,14 +50,6 @@ public class Evaluations extends Measured {
 
   private static ExplicitModel articulated(Mechanism mechanism) {
     return new DataDrivenModel(mechanism, MeasuredScenes.SETTINGS);
-  }
-
-  private static LinearisedResidualModel linearised(Mechanism mechanism) {
-    return new LinearisedResidualModel(
-        mechanism,
-        MeasuredScenes.SETTINGS,
-        UserForceSource.NONE,
-        LinearisedResidualModel.Mode.FULL);
   }
 
   /** y' by articulated bodies. */

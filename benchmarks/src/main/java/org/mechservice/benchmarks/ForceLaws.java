@@ -6,7 +6,6 @@ import java.util.stream.IntStream;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
-import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
@@ -42,7 +41,7 @@ public class ForceLaws extends Measured {
   })
   public String kind = "";
 
-  private LinearisedResidualModel model = linearised(LinkChain.of(1));
+  private LinearisedResidualModel model = MeasuredScenes.linearised(LinkChain.of(1));
   private double[] y = {};
   private double[] yDot = {};
   private double[] values = {};
@@ -50,20 +49,12 @@ public class ForceLaws extends Measured {
   /** Reads the model. */
   @Setup
   public void prepare() throws MechmlException {
-    model = linearised(mechanism(kind));
+    model = MeasuredScenes.linearised(mechanism(kind));
     y = new double[model.description().stateCount()];
     yDot = new double[y.length];
     values = new double[y.length];
     model.initialState(y);
     model.linearise(0, y, yDot);
-  }
-
-  private static LinearisedResidualModel linearised(Mechanism mechanism) {
-    return new LinearisedResidualModel(
-        mechanism,
-        MeasuredScenes.SETTINGS,
-        UserForceSource.NONE,
-        LinearisedResidualModel.Mode.FULL);
   }
 
   private static String force(String kind, String name) {

@@ -14,6 +14,9 @@ import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.dynamics.LinearisedResidualModel;
+import org.mechservice.solver.force.user.UserForceSource;
+import org.mechservice.solver.mechanism.Mechanism;
 
 /** The mechanisms whose equations are measured. */
 public final class MeasuredScenes {
@@ -73,6 +76,12 @@ public final class MeasuredScenes {
     BuildOptions options = options(formulation);
     return ModelFactory.compile(scene, options, ModelFactory.generate(scene, options))
         .newInstance();
+  }
+
+  /** Returns the equations of RR-JF driven by data. */
+  static LinearisedResidualModel linearised(Mechanism mechanism) {
+    return new LinearisedResidualModel(
+        mechanism, SETTINGS, UserForceSource.NONE, LinearisedResidualModel.Mode.FULL);
   }
 
   /** Returns the formulation in which the accelerations of a scene are measured beside others. */

@@ -453,19 +453,26 @@ public final class MechSession implements AutoCloseable {
   public SteppedModel.Source prepareSteps(SimulationOptions options) throws IOException {
     return withWorker(
         begun -> {
-          NameValueSeqHolder answer = new NameValueSeqHolder(new NameValue[0]);
-          JarFetch jars = jars();
-          BuiltJar modelJar = jars.model(options.toNameValues(), answer);
-          SetUpFacts said = new SetUpFacts(answer.value);
-          keepWarnings(said);
-          Optional<byte[]> runtimeJar = jars.runtime(modelJar);
-          LocalRuns runs = localRuns(options, said);
-          if (begun.isPresent() && runtimeJar.isEmpty()) {
-            return runs.confinedSteps(modelJar, begun.get());
+          Fetched fetched = fetched(options);
+          LocalRuns runs = localRuns(options, fetched.said());
+          if (begun.isPresent() && fetched.runtimeJar().isEmpty()) {
+            return runs.confinedSteps(fetched.modelJar(), begun.get());
           }
           begun.ifPresent(LocalRuns::end);
-          return runs.stepsHere(modelJar, runtimeJar);
+          return runs.stepsHere(fetched.modelJar(), fetched.runtimeJar());
         });
+  }
+
+  /** A model that was built for this machine, with the solver it needs, if that is not our own. */
+  private record Fetched(BuiltJar modelJar, Optional<byte[]> runtimeJar, SetUpFacts said) {}
+
+  private Fetched fetched(SimulationOptions options) {
+    NameValueSeqHolder answer = new NameValueSeqHolder(new NameValue[0]);
+    JarFetch jars = jars();
+    BuiltJar modelJar = jars.model(options.toNameValues(), answer);
+    SetUpFacts said = new SetUpFacts(answer.value);
+    keepWarnings(said);
+    return new Fetched(modelJar, jars.runtime(modelJar), said);
   }
 
   private LocalRuns localRuns(SimulationOptions options, SetUpFacts said) {
@@ -480,12 +487,10 @@ public final class MechSession implements AutoCloseable {
       SimulationOptions options, Optional<CompletableFuture<WorkerProcess>> begun)
       throws IOException {
     Stopwatch watch = new Stopwatch();
-    NameValueSeqHolder answer = new NameValueSeqHolder(new NameValue[0]);
-    JarFetch jars = jars();
-    BuiltJar modelJar = jars.model(options.toNameValues(), answer);
-    SetUpFacts said = new SetUpFacts(answer.value);
-    keepWarnings(said);
-    Optional<byte[]> runtimeJar = jars.runtime(modelJar);
+    Fetched fetched = fetched(options);
+    BuiltJar modelJar = fetched.modelJar();
+    Optional<byte[]> runtimeJar = fetched.runtimeJar();
+    SetUpFacts said = fetched.said();
     double fetchSeconds = watch.lap();
     LocalRuns runs = localRuns(options, said);
     LocalRuns.Prepared prepared;

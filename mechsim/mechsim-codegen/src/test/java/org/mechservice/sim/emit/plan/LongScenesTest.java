@@ -83,6 +83,13 @@ class LongScenesTest {
     return MechmlReader.read("chain_1000.xml", Files.readAllBytes(file));
   }
 
+  @Test
+  void aChainOfAThousandLinksIsLeftToThePrintedStepsUnlessAFormIsAskedFor() throws Exception {
+    BuildOptions byItself = options("DTR", false).in(CodeForm.AUTO);
+    assertThat(ModelFactory.generate(chainOfAThousandLinks(), byItself).formulationReason())
+        .contains("compact form", "printed steps");
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"DTR", "RR"})
   void aChainOfAThousandLinksIsCodeWithTheResultsOfItsData(String formulation) throws Exception {
