@@ -57,10 +57,12 @@ public record Element(
 
   /** Returns the text of an attribute; empty if the element lacks it. */
   public Optional<String> attribute(String attributeName) {
-    return attributes.stream()
-        .filter(a -> a.name().equals(attributeName))
-        .map(Attribute::value)
-        .findFirst();
+    for (Attribute attribute : attributes) {
+      if (attribute.name().equals(attributeName)) {
+        return Optional.of(attribute.value());
+      }
+    }
+    return Optional.empty();
   }
 
   /**
@@ -80,7 +82,12 @@ public record Element(
 
   /** Returns the first child of a name. */
   public Optional<Element> child(String childName) {
-    return children().stream().filter(c -> c.name().equals(childName)).findFirst();
+    for (Element child : children()) {
+      if (child.name().equals(childName)) {
+        return Optional.of(child);
+      }
+    }
+    return Optional.empty();
   }
 
   /**

@@ -132,14 +132,28 @@ public final class ExpressionParser {
 
   private static ParsedExpression literal(Token number) throws ExpressionException {
     double value = Double.parseDouble(number.text());
-    boolean written = number.text().split("[eE]", 2)[0].chars().anyMatch(c -> c >= '1' && c <= '9');
-    if (Double.isInfinite(value) || (value == 0 && written)) {
+    boolean tooSmall = value == 0 && !isWrittenZero(number.text());
+    if (Double.isInfinite(value) || tooSmall) {
       throw new ExpressionException(
           MessageCode.EXPRESSION_VALUE,
           number.offset(),
-          Quoted.plain(number.text()) + " is too " + (written && value == 0 ? "small" : "large"));
+          Quoted.plain(number.text()) + " is too " + (tooSmall ? "small" : "large"));
     }
     return new ParsedExpression.Literal(value, number.offset());
+  }
+
+  /** Returns whether all digits before the exponent are 0. */
+  private static boolean isWrittenZero(String number) {
+    for (int i = 0; i < number.length(); i++) {
+      char c = number.charAt(i);
+      if (c == 'e' || c == 'E') {
+        return true;
+      }
+      if (c >= '1' && c <= '9') {
+        return false;
+      }
+    }
+    return true;
   }
 
   private ParsedExpression referenceOrCall() throws ExpressionException {

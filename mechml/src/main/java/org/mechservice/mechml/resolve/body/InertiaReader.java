@@ -52,24 +52,27 @@ final class InertiaReader {
   }
 
   private boolean isPossible(Element element, double[] moments) {
-    String shown =
-        Phrase.of(
-            "%s: the principal moments, in kg*m^2, are %.6g, %.6g and %.6g",
-            element.label(), moments[0], moments[1], moments[2]);
     double rounding = ROUNDING * Math.max(Math.abs(moments[0]), Math.abs(moments[2]));
     if (moments[0] < -rounding) {
       diagnostics.error(
           MessageCode.NEGATIVE_INERTIA,
           element.position(),
-          shown + "; none may be negative. Write Ixy, Ixz, Iyz as elements of the matrix");
+          shown(element, moments)
+              + "; none may be negative. Write Ixy, Ixz, Iyz as elements of the matrix");
       return false;
     }
     if (moments[2] - moments[1] > moments[0] + rounding) {
       diagnostics.warning(
           MessageCode.IMPOSSIBLE_INERTIA,
           element.position(),
-          shown + "; no moment of a rigid body exceeds the sum of the other two");
+          shown(element, moments) + "; no moment of a rigid body exceeds the sum of the other two");
     }
     return true;
+  }
+
+  private static String shown(Element element, double[] moments) {
+    return Phrase.of(
+        "%s: the principal moments, in kg*m^2, are %.6g, %.6g and %.6g",
+        element.label(), moments[0], moments[1], moments[2]);
   }
 }
