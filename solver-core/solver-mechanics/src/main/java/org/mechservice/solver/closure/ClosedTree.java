@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import org.mechservice.solver.closure.equations.CoordinateUnits;
 import org.mechservice.solver.closure.equations.LoopEquations;
-import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.dynamics.WorldMotion;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
@@ -30,7 +29,7 @@ public class ClosedTree {
   public final StateCoordinates coordinates;
   public final CoordinateUnits units;
   public final MassiveRods rods;
-  final OpenTree open;
+  final SemiRecursive open;
   public final ForceSet forces;
   private final FurtherRates furtherRates;
   final WorldMotion world;
@@ -63,7 +62,7 @@ public class ClosedTree {
     coordinates = new StateCoordinates(tree.mechanism());
     units = new CoordinateUnits(tree.mechanism(), loops.length());
     rods = new MassiveRods(tree);
-    open = new SemiRecursive(tree).newWorkspace(motion);
+    open = new SemiRecursive(motion);
     forces = new ForceSet(motion, userForces);
     furtherRates = new FurtherRates(motion);
     world = new WorldMotion(motion);
@@ -273,8 +272,7 @@ public class ClosedTree {
     if (!applyForces(t)) {
       return false;
     }
-    motion.accelerationSweep(a, aAt);
-    open.formResidual(wrench, tau, residual);
+    open.formResidual(wrench, tau, a, aAt, residual);
     return true;
   }
 

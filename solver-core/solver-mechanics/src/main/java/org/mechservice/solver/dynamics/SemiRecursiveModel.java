@@ -9,7 +9,6 @@ import org.mechservice.solver.mechanism.Mechanism;
 /** DSR without generated code: an open tree by composite inertias. */
 public final class SemiRecursiveModel extends OpenTreeModel {
   private final SemiRecursive dynamics;
-  private final SemiRecursive.Workspace workspace;
   private final double[] residual;
   private final double[] solution;
 
@@ -22,28 +21,26 @@ public final class SemiRecursiveModel extends OpenTreeModel {
    */
   public SemiRecursiveModel(Mechanism mechanism, RunSettings defaults, UserForceSource userForces) {
     super(mechanism, Formulation.DSR.label(), defaults, userForces);
-    dynamics = new SemiRecursive(tree);
-    workspace = dynamics.newWorkspace(motion);
+    dynamics = new SemiRecursive(motion);
     residual = new double[tree.velocityCount];
     solution = new double[tree.stateVelocityCount];
   }
 
   @Override
   int accelerate(double[] a, int aAt) {
-    int singular = dynamics.accelerations(workspace, loads.wrench(), loads.tau(), a, aAt);
+    int singular = dynamics.accelerations(loads.wrench(), loads.tau(), a, aAt);
     System.arraycopy(a, aAt, solution, 0, solution.length);
     return singular;
   }
 
   @Override
   PivotCheck check() {
-    return workspace.check();
+    return dynamics.check();
   }
 
   @Override
   void drivingForces(double[] force) {
-    motion.accelerationSweep(solution);
-    workspace.formResidual(loads.wrench(), loads.tau(), residual);
+    dynamics.formResidual(loads.wrench(), loads.tau(), solution, 0, residual);
     System.arraycopy(residual, tree.stateVelocityCount, force, 0, force.length);
   }
 }

@@ -78,7 +78,7 @@ public final class SingularInertia {
   /** Returns the motion in which those beyond follow the first; itself if that is not clear. */
   private static double[] following(TreeMotion at, double[] first) {
     if (first.length <= MOST_VELOCITIES) {
-      SemiRecursive.Workspace work = new SemiRecursive(at.tree()).newWorkspace(at);
+      SemiRecursive work = new SemiRecursive(at);
       work.formMassMatrix();
       int found = work.factorMassMatrix();
       if (found != ExplicitModel.REGULAR && first[found] != 0) {

@@ -58,8 +58,8 @@ public final class Evaluation {
     return v;
   }
 
-  public SemiRecursive.Workspace semiRecursive() {
-    SemiRecursive.Workspace w = new SemiRecursive(tree).newWorkspace(motion);
+  public SemiRecursive semiRecursive() {
+    SemiRecursive w = new SemiRecursive(motion);
     w.formMassMatrix();
     w.formBias(wrench, tau);
     return w;
@@ -73,8 +73,7 @@ public final class Evaluation {
 
   double[] bySemiRecursion() {
     double[] a = new double[nv];
-    SemiRecursive dynamics = new SemiRecursive(tree);
-    require(dynamics.accelerations(dynamics.newWorkspace(motion), wrench, tau, a, 0));
+    require(new SemiRecursive(motion).accelerations(wrench, tau, a, 0));
     return a;
   }
 
@@ -117,8 +116,7 @@ public final class Evaluation {
 
   double[] extendedResidual(double[] a) {
     double[] residual = new double[tree.velocityCount];
-    motion.accelerationSweep(a);
-    new SemiRecursive(tree).newWorkspace(motion).formResidual(wrench, tau, residual);
+    new SemiRecursive(motion).formResidual(wrench, tau, a, 0, residual);
     return residual;
   }
 

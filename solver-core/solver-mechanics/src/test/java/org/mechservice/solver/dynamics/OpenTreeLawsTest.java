@@ -33,7 +33,7 @@ class OpenTreeLawsTest {
   @ParameterizedTest
   void massMatrixTimesAccelerationAndBiasIsTheInverseDynamics(long seed) {
     Evaluation at = new Evaluation(treeWithRods(seed)).loaded(seed);
-    SemiRecursive.Workspace w = at.semiRecursive();
+    SemiRecursive w = at.semiRecursive();
     double[] a = new Random(seed).doubles(at.nv, -5, 5).toArray();
     double[] force = new double[at.nv];
     w.massMatrix().multiply(a, 0, force, 0);

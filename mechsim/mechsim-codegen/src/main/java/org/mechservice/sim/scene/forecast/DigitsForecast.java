@@ -57,7 +57,7 @@ final class DigitsForecast {
     double[] y = new double[mechanism.positionCount() + n];
     mechanism.initialState(y);
     motion.sweep(t, y);
-    SemiRecursive.Workspace work = new SemiRecursive(tree).newWorkspace(motion);
+    SemiRecursive work = new SemiRecursive(motion);
     work.formMassMatrix();
     double[] mass = new double[n * n];
     work.massMatrix().toDense(mass);

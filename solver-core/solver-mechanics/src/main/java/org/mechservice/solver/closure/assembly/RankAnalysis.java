@@ -13,7 +13,6 @@ import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.closure.equations.CoordinateUnits;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.LoopRounding;
-import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -62,7 +61,7 @@ public final class RankAnalysis {
   private final StateCoordinates coordinates;
   private final CoordinateUnits units;
   private final Assembly assembly;
-  private final OpenTree open;
+  private final SemiRecursive open;
   private final boolean isSparse;
   private final int m;
   private final int n;
@@ -95,7 +94,7 @@ public final class RankAnalysis {
     units = new CoordinateUnits(tree.mechanism(), loops.length());
     isSparse = isLarge.test(loops);
     assembly = new Assembly(tree, isLarge);
-    open = new SemiRecursive(tree).newWorkspace(motion);
+    open = new SemiRecursive(motion);
     m = loops.count();
     n = tree.stateVelocityCount;
     rankAtStart = judge(t, y);

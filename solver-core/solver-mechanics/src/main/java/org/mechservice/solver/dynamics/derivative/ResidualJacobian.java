@@ -141,28 +141,8 @@ public final class ResidualJacobian implements StepDerivatives {
    * contribute to the Jacobian.
    */
   public void evaluateMass() {
-    composites.compose();
-    clear();
-    full = false;
-    for (int link = 0; link < tree.linkCount; link++) {
-      columns.form(link);
-    }
-    for (int place = 0; place < pattern.size; place++) {
-      int k = pattern.velocityAt[place];
-      int link = tree.linkOfVelocity[k];
-      composites.applyTo(link, motion.subspace, 6 * k, inertiaWrench, 0);
-      for (int j = tree.velocityAt[link]; j <= k; j++) {
-        setMass(place, j);
-      }
-      for (int i = link; tree.parent[i] != TreeGeometry.ROOT; i = tree.parent[i]) {
-        motion.wrenches.toParent(i, inertiaWrench, 0);
-        int above = tree.parent[i];
-        int end = tree.velocityAt[above] + tree.kind[above].velocityCount();
-        for (int j = tree.velocityAt[above]; j < end && !tree.driven[above]; j++) {
-          setMass(place, j);
-        }
-      }
-    }
+    evaluateNothing();
+    composites.formMass(pattern, mass);
     rods.addMass(motion, mass);
   }
 

@@ -27,7 +27,6 @@ import org.mechservice.solver.mechanism.MotionJump;
 final class DrivenJumps {
   private final TreeMotion motion;
   private final SemiRecursive dynamics;
-  private final SemiRecursive.Workspace workspace;
   private final List<Track> tracks = new ArrayList<>();
   private double wentOn = Double.NEGATIVE_INFINITY;
   private final double[] noForce;
@@ -40,8 +39,7 @@ final class DrivenJumps {
    */
   DrivenJumps(TreeMotion motion, List<MotionJump> jumps) {
     this.motion = motion;
-    dynamics = new SemiRecursive(motion.tree());
-    workspace = dynamics.newWorkspace(motion);
+    dynamics = new SemiRecursive(motion);
     noForce = new double[motion.tree().velocityCount];
     held = new double[motion.tree().stateVelocityCount];
     driven = new double[held.length];
@@ -181,6 +179,6 @@ final class DrivenJumps {
   }
 
   private boolean accelerate(double[] a) {
-    return dynamics.accelerations(workspace, new double[0], noForce, a, 0) == ExplicitModel.REGULAR;
+    return dynamics.accelerations(noForce, a) == ExplicitModel.REGULAR;
   }
 }

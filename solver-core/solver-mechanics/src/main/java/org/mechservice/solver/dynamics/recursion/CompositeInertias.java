@@ -6,6 +6,8 @@ import static org.mechservice.solver.spatial.Blocks.congruence;
 import static org.mechservice.solver.spatial.Blocks.cross;
 import static org.mechservice.solver.spatial.Blocks.dot;
 
+import org.mechservice.solver.dynamics.tree.TreeMatrix;
+import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -29,6 +31,9 @@ public final class CompositeInertias {
   private final double[] second;
 
   private final double[] work = new double[21];
+
+  /** I S of a velocity, carried towards the root. */
+  private final double[] momentum = new double[6];
 
   public CompositeInertias(TreeMotion motion, LinkInertias links) {
     this.motion = motion;
@@ -78,6 +83,43 @@ public final class CompositeInertias {
     for (int i = 0; i < 9; i++) {
       second[9 * parent + i] += work[3 + i];
     }
+  }
+
+  /**
+   * Composes all and forms M: its elements M_kj = S_jᵀ X* I S_k between each velocity k of the
+   * state and those of its ancestors (Featherstone 2008, §6.2), with the armatures on its diagonal.
+   *
+   * @param pattern of M, with room for these elements
+   * @param mass overwritten
+   */
+  public void formMass(TreePattern pattern, TreeMatrix mass) {
+    compose();
+    mass.clear();
+    for (int place = 0; place < pattern.size; place++) {
+      formRow(place, pattern, mass);
+    }
+  }
+
+  private void formRow(int place, TreePattern pattern, TreeMatrix mass) {
+    int k = pattern.velocityAt[place];
+    int link = tree.linkOfVelocity[k];
+    applyTo(link, motion.subspace, 6 * k, momentum, 0);
+    mass.setDiagonal(place, along(k) + tree.armature[k]);
+    for (int i = link; i != TreeGeometry.ROOT; i = tree.parent[i]) {
+      if (!tree.driven[i]) {
+        // in the link of velocity k those before it alone
+        int end = i == link ? k : tree.velocityAt[i] + tree.kind[i].velocityCount();
+        for (int j = tree.velocityAt[i]; j < end; j++) {
+          mass.setElement(pattern.find(place, pattern.placeOf[j]), along(j));
+        }
+      }
+      motion.wrenches.toParent(i, momentum, 0);
+    }
+  }
+
+  private double along(int velocity) {
+    double[] s = motion.subspace;
+    return dot(s, 6 * velocity, momentum, 0) + dot(s, 6 * velocity + 3, momentum, 3);
   }
 
   /**
