@@ -62,10 +62,15 @@ final class LoopFronts {
     home = new int[count];
     Arrays.setAll(home, i -> home(support[i]));
     List<List<Integer>> through = new ArrayList<>();
+    List<List<Integer>> atHome = new ArrayList<>();
     for (int link = 0; link < tree.linkCount; link++) {
       through.add(new ArrayList<>());
+      atHome.add(new ArrayList<>());
     }
     for (int i = 0; i < count; i++) {
+      if (home[i] != TreeGeometry.ROOT) {
+        atHome.get(home[i]).add(i);
+      }
       for (int link : linksThrough(support[i], home[i])) {
         through.get(link).add(i);
       }
@@ -84,8 +89,7 @@ final class LoopFronts {
     open = new int[tree.linkCount];
     int[][] front = new int[tree.linkCount][];
     for (int link = 0; link < tree.linkCount; link++) {
-      int own = link;
-      int[] here = IntStream.range(0, count).filter(i -> home[i] == own).toArray();
+      int[] here = atHome.get(link).stream().mapToInt(Integer::intValue).toArray();
       front[link] =
           IntStream.concat(Arrays.stream(here), Arrays.stream(cliques.get(link)))
               .map(matrix::placeOf)

@@ -4,6 +4,7 @@ import static org.mechservice.solver.spatial.Blocks.apply;
 import static org.mechservice.solver.spatial.Blocks.applyTransposed;
 import static org.mechservice.solver.spatial.Blocks.multiply;
 
+import java.util.Arrays;
 import java.util.Optional;
 import org.mechservice.solver.mechanism.FurtherState;
 
@@ -25,6 +26,14 @@ public final class TreeMotion {
   private final Optional<PrescribedCoordinates> prescribed;
 
   private final LinkMotion moving;
+
+  /** Positions at which the links are placed, and how often these have changed. */
+  private final double[] placedAt;
+
+  private long placements;
+
+  /** Whether the poses in the world belong to them. */
+  private boolean inWorld;
 
   /** Extended positions, velocities and accelerations of the last sweeps; rad, m, s. */
   public final double[] q;
@@ -90,6 +99,7 @@ public final class TreeMotion {
     this.tree = tree;
     int n = tree.linkCount;
     q = new double[tree.positionCount];
+    placedAt = new double[tree.positionCount];
     v = new double[tree.velocityCount];
     a = new double[tree.velocityCount];
     further = tree.mechanism().furtherStates().stream().mapToDouble(FurtherState::start).toArray();
@@ -190,13 +200,33 @@ public final class TreeMotion {
 
   /** Sweeps the links relative to their parents for the coordinates set last. */
   public void sweepRelative() {
+    // as bits: positions that differ by the sign of a zero are others
+    if (placements == 0 || Arrays.mismatch(q, placedAt) >= 0) {
+      System.arraycopy(q, 0, placedAt, 0, q.length);
+      placements++;
+      inWorld = false;
+      for (int link = 0; link < tree.linkCount; link++) {
+        placement.place(link, q);
+      }
+    }
     for (int link = 0; link < tree.linkCount; link++) {
-      placement.place(link, this.q);
       moving.move(link);
     }
   }
 
+  /**
+   * Returns a number that changes with the positions of the links: what was computed from their
+   * poses alone at the same number need not be computed again.
+   */
+  public long placement() {
+    return placements;
+  }
+
   private void placeInWorld() {
+    if (inWorld) {
+      return;
+    }
+    inWorld = true;
     for (int link = 0; link < tree.linkCount; link++) {
       int parent = tree.parent[link];
       boolean onRoot = parent == TreeGeometry.ROOT;

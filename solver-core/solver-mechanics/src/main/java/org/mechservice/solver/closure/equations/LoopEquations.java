@@ -75,6 +75,15 @@ public final class LoopEquations {
    */
   public final SparseMatrix jacobian;
 
+  /** Whether J follows from the poses of the links alone. */
+  private final boolean byPoses;
+
+  /** The motion and its placement at which J was evaluated last. */
+  private Object differentiatedIn = this;
+
+  private long differentiatedAt;
+  private boolean far;
+
   /** Dense row; zero between calls. */
   private final double[] wholeRow;
 
@@ -118,6 +127,7 @@ public final class LoopEquations {
     acceleration = new double[count];
     jacobian = SparseMatrix.of(pattern(), tree.velocityCount);
     wholeRow = new double[tree.velocityCount];
+    byPoses = closures.stream().allMatch(PairRows.class::isInstance);
   }
 
   private int[][] pattern() {
@@ -252,6 +262,7 @@ public final class LoopEquations {
 
   /** Evaluates Φ for the poses of the last sweep. */
   public void place(TreeMotion motion, double t) {
+    far = false;
     for (int i = 0; i < closures.size(); i++) {
       closures.get(i).place(motion, t);
     }
@@ -264,6 +275,7 @@ public final class LoopEquations {
    * closed. Velocities and accelerations must not be evaluated after it.
    */
   public void placeFar(TreeMotion motion, double t) {
+    far = true;
     for (int i = 0; i < closures.size(); i++) {
       closures.get(i).placeFar(motion, t);
     }
@@ -278,6 +290,11 @@ public final class LoopEquations {
 
   /** Evaluates J after {@link #place}. */
   public void differentiate(TreeMotion motion) {
+    if (!far && differentiatedIn == motion && differentiatedAt == motion.placement()) {
+      return;
+    }
+    differentiatedIn = byPoses && !far ? motion : this;
+    differentiatedAt = motion.placement();
     for (int row = 0; row < closureOfRow.length; row++) {
       closureOfRow[row].addJacobian(motion, rowInClosure[row], wholeRow, 0);
       takeWholeRow(row, jacobian);
@@ -342,6 +359,7 @@ public final class LoopEquations {
    * @param velocities number of velocities of the state
    */
   public void take(double[] terms, int velocities) {
+    differentiatedIn = this;
     int m = count();
     System.arraycopy(terms, 0, value, 0, m);
     System.arraycopy(terms, m, rate, 0, m);
@@ -358,6 +376,7 @@ public final class LoopEquations {
    * @param terms laid out as in {@link LoopTerms.Recursive}; not modified
    */
   public void takeRecursive(double[] terms) {
+    differentiatedIn = this;
     int m = count();
     System.arraycopy(terms, 0, value, 0, m);
     System.arraycopy(terms, m, rate, 0, m);

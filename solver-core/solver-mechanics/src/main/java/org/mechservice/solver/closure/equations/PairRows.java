@@ -29,10 +29,17 @@ import org.mechservice.solver.mechanism.joint.Joint;
  */
 final class PairRows extends ClosureRows {
   private static final double[] NO_RATES = new double[36];
+  private static final long NOWHERE = -1;
 
   private final RelativeMotion relative;
   private final PairFunction[] functions;
   private final double[] value;
+
+  /** Values before the prescribed motions are subtracted, and where they were evaluated. */
+  private final double[] measured;
+
+  private Object placedIn = this;
+  private long placement = NOWHERE;
   private final double[] gradient = new double[6];
   private final double[] curvature = new double[36];
   private final PairLinearisation linearisation = new PairLinearisation();
@@ -61,6 +68,7 @@ final class PairRows extends ClosureRows {
     this.length = length;
     vanishing = functions.size() - driven.count();
     value = new double[functions.size()];
+    measured = new double[functions.size()];
   }
 
   private PairRows(
@@ -178,23 +186,32 @@ final class PairRows extends ClosureRows {
 
   @Override
   void place(TreeMotion motion, double t) {
-    relative.place(motion);
-    for (int i = 0; i < functions.length; i++) {
-      value[i] = functions[i].evaluate(relative);
+    if (placedIn != motion || placement != motion.placement()) {
+      relative.place(motion);
+      for (int i = 0; i < functions.length; i++) {
+        measured[i] = functions[i].evaluate(relative);
+      }
+      placement = motion.placement();
+      placedIn = motion;
     }
     subtractDriven(t);
   }
 
   @Override
   void placeFar(TreeMotion motion, double t) {
+    placement = NOWHERE;
     relative.place(motion);
     for (int i = 0; i < functions.length; i++) {
-      value[i] = functions[i].evaluateFar(relative);
+      measured[i] = functions[i].evaluateFar(relative);
     }
     subtractDriven(t);
   }
 
   private void subtractDriven(double t) {
+    System.arraycopy(measured, 0, value, 0, value.length);
+    if (vanishing == functions.length) {
+      return;
+    }
     driven.evaluate(atStart ? 0 : t);
     for (int i = vanishing; i < functions.length; i++) {
       value[i] = functions[i].difference(value[i], driven.value(i - vanishing));

@@ -32,5 +32,10 @@ final class Displacement extends PairFunction {
 
   /** {@inheritDoc} The curvature is zero, because the vector is constant for an observer on A. */
   @Override
+  boolean isStraight() {
+    return true;
+  }
+
+  @Override
   public void addCurvature(RelativeMotion r, double factor, double[] c) {}
 }

@@ -111,6 +111,11 @@ public abstract class PairFunction {
     return evaluate(r);
   }
 
+  /** Returns whether the curvature is zero in every pose. */
+  boolean isStraight() {
+    return false;
+  }
+
   /**
    * Adds the curvature at the pose last evaluated.
    *
@@ -139,6 +144,9 @@ public abstract class PairFunction {
       sum += gradient[i] * r.angularAcceleration[i] + gradient[3 + i] * r.acceleration[i];
       rate[i] = r.angularVelocity[i];
       rate[3 + i] = r.velocity[i];
+    }
+    if (isStraight()) {
+      return sum;
     }
     Arrays.fill(curvature, 0);
     addCurvature(r, 1, curvature);

@@ -213,7 +213,9 @@ public final class RelativeMotion {
         }
         row[at + k] += factor * sum;
       }
-      motion.wrenches.toParent(i, wrench, 0);
+      if (tree.parent[i] != ancestor) {
+        motion.wrenches.toParent(i, wrench, 0);
+      }
     }
   }
 
