@@ -16,6 +16,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.mechservice.guard.Confinement;
+import org.mechservice.guard.Patience;
 import org.mechservice.guard.WorkerBounds;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.run.Checkpoints;
@@ -148,8 +149,7 @@ public final class WorkerProcess implements AutoCloseable {
     described = true;
     boolean answered = false;
     try (Patience patience =
-        new Patience(
-            started.process(), LONGEST_DESCRIPTION, "the description of a model", ASK_CLASSES)) {
+        new Patience(started.process(), LONGEST_DESCRIPTION, "the description of a model")) {
       patience.begin();
       try {
         send(
@@ -162,7 +162,7 @@ public final class WorkerProcess implements AutoCloseable {
         answered = true;
         return description;
       } catch (StreamCorruptedException | PeerGoneException e) {
-        throw patience.ended().orElseGet(() -> started.lost(e));
+        throw lost(patience, ASK_CLASSES).orElseGet(() -> started.lost(e));
       }
     } finally {
       if (!answered) {
@@ -244,6 +244,13 @@ public final class WorkerProcess implements AutoCloseable {
           with.out().writeUTF(hash);
         });
     return steps;
+  }
+
+  /** Returns that the process was ended from here; empty if it was not. */
+  static Optional<WorkerLostException> lost(Patience patience, String advice) {
+    return patience
+        .ended()
+        .map(why -> new WorkerLostException(MessageCode.WORKER_ENDED, why, advice));
   }
 
   private static WorkerLostException makesNoSense(StreamCorruptedException e) {

@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Function;
 import org.mechservice.guard.Confinement;
+import org.mechservice.guard.Patience;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.Outcome;
@@ -57,7 +58,7 @@ public final class WorkerSteps implements StepwiseRun {
     rows = new WorkerRows(in, sink);
     this.reports = reports;
     Process started = talk.process();
-    Patience waiting = new Patience(started, longest, "a step", ADVICE);
+    Patience waiting = new Patience(started, longest, "a step");
     patience = waiting;
     process =
         UNREACHED.register(
@@ -147,7 +148,7 @@ public final class WorkerSteps implements StepwiseRun {
       takeRows();
       return WorkerProcess.receive(answer);
     } catch (WorkerProcess.PeerGoneException | StreamCorruptedException e) {
-      throw lose(patience.ended().orElseGet(() -> talk.lost(e)));
+      throw lose(WorkerProcess.lost(patience, ADVICE).orElseGet(() -> talk.lost(e)));
     } catch (WorkerLostException e) {
       throw lose(e);
     } finally {

@@ -1,19 +1,17 @@
-package org.mechservice.guard.worker;
+package org.mechservice.guard;
 
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
-import org.mechservice.guard.Confinement;
-import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Ends a process that does not answer in time, or whose caller is interrupted meanwhile: a thread
  * that reads from a process cannot be woken up otherwise. Thread-safe.
  */
-final class Patience implements AutoCloseable {
-  private static final long LOOK_MILLIS = 20;
+public final class Patience implements AutoCloseable {
+  private static final long LOOK_MILLIS = 50;
 
   private static final ScheduledThreadPoolExecutor LOOKING =
       new ScheduledThreadPoolExecutor(
@@ -31,7 +29,6 @@ final class Patience implements AutoCloseable {
   private final Process process;
   private final Duration longest;
   private final String what;
-  private final String advice;
   private final ScheduledFuture<?> looks;
   private Optional<Thread> caller = Optional.empty();
   private long since;
@@ -39,30 +36,35 @@ final class Patience implements AutoCloseable {
 
   /**
    * @param longest time of an answer
-   * @param what is waited for, such as {@code the step of a run}
-   * @param advice for an answer that takes longer
+   * @param what is waited for, such as {@code a step}
    */
-  Patience(Process process, Duration longest, String what, String advice) {
+  public Patience(Process process, Duration longest, String what) {
     this.process = process;
     this.longest = longest;
     this.what = what;
-    this.advice = advice;
-    looks =
-        LOOKING.scheduleWithFixedDelay(this::look, LOOK_MILLIS, LOOK_MILLIS, TimeUnit.MILLISECONDS);
+    synchronized (this) {
+      looks =
+          LOOKING.scheduleWithFixedDelay(
+              this::look, LOOK_MILLIS, LOOK_MILLIS, TimeUnit.MILLISECONDS);
+    }
   }
 
   /** Begins an answer that this thread waits for. */
-  synchronized void begin() {
+  public synchronized void begin() {
     since = System.nanoTime();
     caller = Optional.of(Thread.currentThread());
   }
 
   /** Ends it. */
-  synchronized void end() {
+  public synchronized void end() {
     caller = Optional.empty();
   }
 
   private synchronized void look() {
+    if (!process.isAlive()) {
+      close();
+      return;
+    }
     if (caller.isEmpty() || ended.isPresent()) {
       return;
     }
@@ -76,14 +78,14 @@ final class Patience implements AutoCloseable {
     }
   }
 
-  /** Returns why the process was ended from here; empty if it was not. */
-  synchronized Optional<WorkerLostException> ended() {
-    return ended.map(why -> new WorkerLostException(MessageCode.WORKER_ENDED, why, advice));
+  /** Returns why the process was ended from here, as a sentence; empty if it was not. */
+  public synchronized Optional<String> ended() {
+    return ended;
   }
 
   /** Looks no longer. */
   @Override
-  public void close() {
+  public synchronized void close() {
     looks.cancel(false);
   }
 }
