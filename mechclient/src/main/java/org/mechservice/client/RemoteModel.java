@@ -366,7 +366,8 @@ public final class RemoteModel {
    * Begins a run that is stepped from outside: between two steps the inputs of the model, also
    * those with a table, are set, and within a step they are constant. The server compiles the
    * model; the steps are taken on this machine, by the solver of this program, in a process that
-   * confines the model's classes.
+   * confines the model's classes. A step that takes more than ten minutes ends it, and so does an
+   * interrupt of the thread that waits for a step: the run has then failed (S-157).
    *
    * @param step time between two steps, s
    * @return the run at its start

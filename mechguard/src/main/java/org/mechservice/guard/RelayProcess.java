@@ -6,6 +6,7 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.StreamCorruptedException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.HashMap;
@@ -33,6 +34,10 @@ final class RelayProcess {
   private static final int EXIT_OUT_OF_MEMORY = 3;
 
   private static final long DYING_SECONDS = 60;
+
+  /** Far more than an honest force needs for one value of its load. */
+  private static final Duration LONGEST_ANSWER = Duration.ofSeconds(60);
+
   private static final int MOST_ENTRIES = 1_000_000;
   private static final int MOST_NUMBERS = 9;
   private static final double MEGABYTE = 1e6;
@@ -41,6 +46,7 @@ final class RelayProcess {
   private final Process process;
   private final DataOutputStream out;
   private final DataInputStream in;
+  private final Patience patience;
 
   /** Forces of each loader whose classes the process has. */
   private final Map<Long, Integer> loaders = new HashMap<>();
@@ -61,6 +67,7 @@ final class RelayProcess {
                 .redirectError(ProcessBuilder.Redirect.DISCARD));
     out = new DataOutputStream(new BufferedOutputStream(process.getOutputStream()));
     in = new DataInputStream(new BufferedInputStream(process.getInputStream()));
+    patience = new Patience(process, LONGEST_ANSWER, "a class of the user");
   }
 
   boolean isAlive() {
@@ -95,6 +102,7 @@ final class RelayProcess {
 
   /** Holds a dialogue; a process that is gone or sends nonsense is the fault of its classes. */
   private synchronized <T> T exchange(Exchange<T> exchange) {
+    patience.begin();
     try {
       return exchange.with();
     } catch (StreamCorruptedException e) {
@@ -102,8 +110,10 @@ final class RelayProcess {
       String why = "java.lang.Error: its process sent what makes no sense: " + e.getMessage();
       throw new RelayedException(why, why);
     } catch (IOException e) {
-      String why = lost();
+      String why = patience.ended().map(late -> "java.lang.Error: " + late).orElseGet(this::lost);
       throw new RelayedException(why, why);
+    } finally {
+      patience.end();
     }
   }
 

@@ -7,9 +7,11 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.Iterator;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
@@ -88,7 +90,7 @@ public final class WarmProcesses implements AutoCloseable {
   /**
    * @param main main class of the processes, which calls {@link WarmMain#serve}
    * @param optimising whether their code runs long enough to be compiled a second time
-   * @param most processes that work at once; further requests wait
+   * @param most processes that there are at once; further requests wait
    * @param mostIdle processes that are kept for later requests
    */
   public WarmProcesses(Class<?> main, boolean optimising, int most, int mostIdle) {
@@ -133,12 +135,19 @@ public final class WarmProcesses implements AutoCloseable {
   }
 
   /**
-   * Starts a process ahead of its first request, in the thread that calls.
+   * Starts a process ahead of its first request, in the thread that calls; none if all places are
+   * taken, since their processes are left for later requests.
    *
    * @param first what it is asked at once, so that its classes are loaded; the answer is dropped
    */
   public void prepare(WorkerBounds bounds, Dialogue<?> first) throws IOException {
-    answer(start(bounds), "", END_SECONDS, first);
+    if (places.tryAcquire()) {
+      try {
+        answer(start(bounds), "", END_SECONDS, first);
+      } finally {
+        places.release();
+      }
+    }
   }
 
   private synchronized Optional<Warm> waiting(WorkerBounds bounds, Object topic) {
@@ -170,18 +179,26 @@ public final class WarmProcesses implements AutoCloseable {
         bounds);
   }
 
+  /** Keeps a process for requests that wait or come later, and ends what is left over. */
   private void keep(Warm done) {
-    Warm last = done;
+    List<Warm> last = new ArrayList<>();
     synchronized (this) {
-      if (!closed) {
-        idle.addFirst(done);
-        if (idle.size() <= mostIdle) {
-          return;
-        }
-        last = idle.removeLast();
+      idle.addFirst(done);
+      while (closed ? !idle.isEmpty() : idle.size() > mostIdle && !places.hasQueuedThreads()) {
+        last.add(idle.removeLast());
       }
     }
+    last.forEach(WarmProcesses::end);
+  }
+
+  /** Ends a process and waits for it, so that its memory is free before the next one starts. */
+  private static void end(Warm last) {
     last.process.destroyForcibly();
+    try {
+      last.process.waitFor(END_SECONDS, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // it ends without a witness
+    }
   }
 
   /** The thread of the caller holds the dialogue, since each change of threads takes time. */
@@ -210,7 +227,7 @@ public final class WarmProcesses implements AutoCloseable {
       if (done && !held.lowered) {
         keep(warm);
       } else {
-        warm.process.destroyForcibly();
+        end(warm);
       }
     }
   }

@@ -15,7 +15,8 @@
  * generated (package {@code guard.worker}). A program that runs a model in its own process has a
  * {@link org.mechservice.guard.ForceRelay}: in place of each class of a user the model gets a class
  * of the same name that hands every call on to a confined process, where {@code RelayMain} calls
- * the user's class. The numbers travel as they are, so the results have the same bits.
+ * the user's class. The numbers travel as they are, so the results have the same bits. {@link
+ * org.mechservice.guard.Patience} ends a process that does not come back.
  */
 @NullMarked
 package org.mechservice.guard;

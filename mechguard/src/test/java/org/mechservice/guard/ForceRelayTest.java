@@ -320,6 +320,28 @@ class ForceRelayTest {
     made(loader, "Hungry").declare(model);
   }
 
+  /** The thread stays interrupted; the next force has a new process. */
+  @Test
+  void interruptEndsAForceThatNeverReturns() throws Exception {
+    SortedMap<String, byte[]> files =
+        CompiledForces.of(
+            folder,
+            "Endless",
+            String.format(
+                THROWING,
+                "",
+                "double x = 0; while (s.time() < 9 && x >= 0) { x = Math.abs(Math.sin(x + 1)); }"));
+    ClassLoader loader = new ForceRelay(files, UserCode.NONE.unconfined()).newLoader();
+    UserForce force = made(loader, "Endless");
+    Recorder model = new Recorder(1);
+    force.declare(model);
+    Thread.currentThread().interrupt();
+    assertThatThrownBy(() -> force.apply(model, model))
+        .hasMessageContaining("the thread that waited for a class of the user was interrupted");
+    assertThat(Thread.interrupted()).isTrue();
+    made(loader, "Endless").declare(model);
+  }
+
   @Test
   void printingAndForcesOfManyThreadsDoNotDisturbEachOther() throws Exception {
     SortedMap<String, byte[]> files = CompiledForces.of(folder, "Everything", EVERYTHING);

@@ -2,6 +2,7 @@ package org.mechservice.client.jar;
 
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -51,6 +52,9 @@ public record LocalRuns(
     OptionalDouble maxDrift,
     Set<MessageCode> silenced,
     UserCode consent) {
+
+  /** Longest time of a step of a run that is stepped from outside. */
+  private static final Duration LONGEST_STEP = Duration.ofMinutes(10);
 
   /** A model that can run. */
   public interface Prepared {
@@ -146,7 +150,12 @@ public record LocalRuns(
     return new SteppedModel.Source(
         rows ->
             in.worker()
-                .steps(order, in.jar().sha256(), rows, told -> report(told, request.settings())),
+                .steps(
+                    order,
+                    in.jar().sha256(),
+                    rows,
+                    LONGEST_STEP,
+                    told -> report(told, request.settings())),
         in.said().coordinates(),
         in.said().furtherStates(),
         modelJar.inputs());

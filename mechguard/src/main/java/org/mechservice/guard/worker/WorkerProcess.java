@@ -12,14 +12,11 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.mechservice.guard.Confinement;
+import org.mechservice.guard.Patience;
 import org.mechservice.guard.WorkerBounds;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.run.Checkpoints;
@@ -43,8 +40,7 @@ public final class WorkerProcess implements AutoCloseable {
   private static final int SIGTERM = 15;
   private static final int SIGXCPU = 24;
 
-  private static final String ASK_CLASSES =
-      "Look for what the classes of the model's users do there.";
+  static final String ASK_CLASSES = "Look for what the classes of the model's users do there.";
 
   private static final long WATCH_MILLIS = 20;
 
@@ -52,15 +48,9 @@ public final class WorkerProcess implements AutoCloseable {
   private static final long PATIENCE_MILLIS = 1000;
 
   private static final long DYING_SECONDS = 60;
-  private static final long LONGEST_DESCRIPTION_SECONDS = 60;
 
-  private static final ScheduledExecutorService IMPATIENT =
-      Executors.newSingleThreadScheduledExecutor(
-          task -> {
-            Thread thread = new Thread(task, "mechservice-worker-patience");
-            thread.setDaemon(true);
-            return thread;
-          });
+  /** Far more than the start of Java and of a large model's class takes. */
+  private static final Duration LONGEST_DESCRIPTION = Duration.ofSeconds(60);
 
   private static final int MOST_CHECKPOINT_BYTES = 1 << 28;
   private static final double MEGABYTE = 1e6;
@@ -157,40 +147,24 @@ public final class WorkerProcess implements AutoCloseable {
   public WorkerDescription describe(WorkerModel model) throws IOException {
     Talk started = talk();
     described = true;
-    AtomicBoolean late = new AtomicBoolean();
-    ScheduledFuture<?> patience =
-        IMPATIENT.schedule(
-            () -> {
-              late.set(true);
-              Confinement.end(started.process());
-            },
-            LONGEST_DESCRIPTION_SECONDS,
-            TimeUnit.SECONDS);
     boolean answered = false;
-    try {
-      send(
-          started.out(),
-          () -> {
-            model.write(started.out());
-            started.out().writeByte(WorkerMain.DESCRIBE);
-          });
-      WorkerDescription description = answer(started.in());
-      answered = true;
-      return description;
-    } catch (StreamCorruptedException e) {
-      throw makesNoSense(e);
-    } catch (PeerGoneException e) {
-      if (late.get()) {
-        throw new WorkerLostException(
-            MessageCode.WORKER_ENDED,
-            "the process of the model has not described it within "
-                + LONGEST_DESCRIPTION_SECONDS
-                + " s.",
-            ASK_CLASSES);
+    try (Patience patience =
+        new Patience(started.process(), LONGEST_DESCRIPTION, "the description of a model")) {
+      patience.begin();
+      try {
+        send(
+            started.out(),
+            () -> {
+              model.write(started.out());
+              started.out().writeByte(WorkerMain.DESCRIBE);
+            });
+        WorkerDescription description = answer(started.in());
+        answered = true;
+        return description;
+      } catch (StreamCorruptedException | PeerGoneException e) {
+        throw lost(patience, ASK_CLASSES).orElseGet(() -> started.lost(e));
       }
-      throw lost(started.process(), bounds.heapBytes());
     } finally {
-      patience.cancel(false);
       if (!answered) {
         close();
       }
@@ -248,33 +222,35 @@ public final class WorkerProcess implements AutoCloseable {
    *
    * @param hash identifies the model in saved runs
    * @param sink takes the rows
+   * @param longest time of a call, after which the process is taken for lost
    * @param reports makes a report of what the worker tells
    * @throws IllegalArgumentException if the settings do not fit the model; the message names the
    *     reason
    * @throws WorkerLostException if the process has ended
    */
   public WorkerSteps steps(
-      WorkerOrder order, String hash, ResultSink sink, Function<WorkerResult, RunReport> reports)
+      WorkerOrder order,
+      String hash,
+      ResultSink sink,
+      Duration longest,
+      Function<WorkerResult, RunReport> reports)
       throws IOException {
     Talk with = talk();
-    boolean begun = false;
-    try {
-      WorkerSteps steps = new WorkerSteps(with, sink, reports);
-      steps.answerOf(
-          () -> {
-            with.out().writeByte(WorkerMain.STEPS);
-            order.write(with.out());
-            with.out().writeUTF(hash);
-          });
-      begun = true;
-      return steps;
-    } catch (StreamCorruptedException | PeerGoneException e) {
-      throw with.lost(e);
-    } finally {
-      if (!begun) {
-        close();
-      }
-    }
+    WorkerSteps steps = new WorkerSteps(with, sink, longest, reports);
+    steps.order(
+        () -> {
+          with.out().writeByte(WorkerMain.STEPS);
+          order.write(with.out());
+          with.out().writeUTF(hash);
+        });
+    return steps;
+  }
+
+  /** Returns that the process was ended from here; empty if it was not. */
+  static Optional<WorkerLostException> lost(Patience patience, String advice) {
+    return patience
+        .ended()
+        .map(why -> new WorkerLostException(MessageCode.WORKER_ENDED, why, advice));
   }
 
   private static WorkerLostException makesNoSense(StreamCorruptedException e) {

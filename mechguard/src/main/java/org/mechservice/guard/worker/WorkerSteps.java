@@ -4,10 +4,13 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.StreamCorruptedException;
+import java.io.UncheckedIOException;
 import java.lang.ref.Cleaner;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Function;
 import org.mechservice.guard.Confinement;
+import org.mechservice.guard.Patience;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.Outcome;
@@ -17,9 +20,12 @@ import org.mechservice.solver.api.run.StepwiseRun;
 /**
  * A run that is stepped from outside, in a worker: numbers and texts come back from there, and no
  * class of the model is loaded here. Its process ends with this program, or when the run can no
- * longer be reached.
+ * longer be reached, or a call takes too long, or the thread of a call is interrupted.
  */
 public final class WorkerSteps implements StepwiseRun {
+  private static final String ADVICE =
+      WorkerProcess.ASK_CLASSES + " Steps that are honest and take so long are made shorter.";
+
   private static final Cleaner UNREACHED = Cleaner.create();
 
   private final WorkerProcess.Talk talk;
@@ -27,23 +33,53 @@ public final class WorkerSteps implements StepwiseRun {
   private final DataOutputStream out;
   private final WorkerRows rows;
   private final Function<WorkerResult, RunReport> reports;
+  private final Patience patience;
   private final Cleaner.Cleanable process;
   private double time;
   private Optional<WorkerResult> ended = Optional.empty();
 
+  /** Why there is no process any more. */
+  private Optional<WorkerLostException> lost = Optional.empty();
+
   /**
    * @param talk with a worker that has its order
    * @param sink takes the rows
+   * @param longest time of a call
    * @param reports makes a report of what the worker tells
    */
-  WorkerSteps(WorkerProcess.Talk talk, ResultSink sink, Function<WorkerResult, RunReport> reports) {
+  WorkerSteps(
+      WorkerProcess.Talk talk,
+      ResultSink sink,
+      Duration longest,
+      Function<WorkerResult, RunReport> reports) {
     this.talk = talk;
     in = talk.in();
     out = talk.out();
     rows = new WorkerRows(in, sink);
     this.reports = reports;
     Process started = talk.process();
-    process = UNREACHED.register(this, () -> Confinement.end(started));
+    Patience waiting = new Patience(started, longest, "a step");
+    patience = waiting;
+    process =
+        UNREACHED.register(
+            this,
+            () -> {
+              waiting.close();
+              Confinement.end(started);
+            });
+  }
+
+  /** Hands over the order; without an answer that it can be met there is no run. */
+  void order(WorkerProcess.Writing order) throws IOException {
+    boolean met = false;
+    try {
+      call(order, () -> true);
+      met = true;
+    } finally {
+      if (!met) {
+        process.clean();
+      }
+    }
   }
 
   @Override
@@ -80,28 +116,54 @@ public final class WorkerSteps implements StepwiseRun {
   /** Makes a call that takes the run on; one whose process is lost has failed. */
   private void advance(WorkerProcess.Writing call) throws IOException {
     try {
-      answerOf(call);
-      time = WorkerProcess.receive(in::readDouble);
-      if (WorkerProcess.receive(in::readBoolean)) {
-        ended = Optional.of(WorkerProcess.receive(() -> WorkerResult.read(in)));
-      }
-    } catch (WorkerProcess.PeerGoneException | StreamCorruptedException e) {
-      loseBy(talk.lost(e));
+      ended =
+          call(
+              call,
+              () -> {
+                time = in.readDouble();
+                return in.readBoolean()
+                    ? Optional.of(WorkerResult.read(in))
+                    : Optional.<WorkerResult>empty();
+              });
     } catch (WorkerLostException e) {
-      loseBy(e);
+      String cause = String.valueOf(e.getMessage());
+      ended =
+          Optional.of(WorkerResult.lost(new Failure(e.code(), cause, time, 0, 0, "", e.advice())));
     }
   }
 
-  private void loseBy(WorkerLostException why) {
-    String cause = String.valueOf(why.getMessage());
-    Failure failure = new Failure(why.code(), cause, time, 0, 0, "", why.advice());
-    ended = Optional.of(WorkerResult.lost(failure));
-    process.clean();
+  /**
+   * Makes a call, takes the rows that come of it, and returns the answer that follows.
+   *
+   * @throws WorkerLostException if there is no process, or none any more
+   */
+  private <T> T call(WorkerProcess.Writing call, WorkerProcess.Reading<T> answer)
+      throws IOException {
+    if (lost.isPresent()) {
+      throw lost.get();
+    }
+    patience.begin();
+    try {
+      WorkerProcess.send(out, call);
+      takeRows();
+      return WorkerProcess.receive(answer);
+    } catch (WorkerProcess.PeerGoneException | StreamCorruptedException e) {
+      throw lose(WorkerProcess.lost(patience, ADVICE).orElseGet(() -> talk.lost(e)));
+    } catch (WorkerLostException e) {
+      throw lose(e);
+    } finally {
+      patience.end();
+    }
   }
 
-  /** Makes a call, takes the rows that come of it, and returns when the answer follows. */
-  void answerOf(WorkerProcess.Writing call) throws IOException {
-    WorkerProcess.send(out, call);
+  private WorkerLostException lose(WorkerLostException why) {
+    lost = Optional.of(why);
+    process.clean();
+    return why;
+  }
+
+  /** Takes rows until an answer follows. */
+  private void takeRows() throws IOException {
     while (true) {
       byte kind = WorkerProcess.receive(in::readByte);
       switch (kind) {
@@ -170,12 +232,11 @@ public final class WorkerSteps implements StepwiseRun {
 
   private <T> T asked(byte call, WorkerProcess.Reading<T> answer) {
     try {
-      answerOf(() -> out.writeByte(call));
-      return WorkerProcess.receive(answer);
+      return call(() -> out.writeByte(call), answer);
     } catch (WorkerLostException e) {
       throw new IllegalStateException(e.getMessage(), e);
     } catch (IOException e) {
-      throw new IllegalStateException(talk.lost(e).getMessage(), e);
+      throw new UncheckedIOException(e); // of a sink, and there are no rows here
     }
   }
 }

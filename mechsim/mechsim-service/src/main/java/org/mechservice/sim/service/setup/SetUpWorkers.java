@@ -29,9 +29,10 @@ import org.slf4j.LoggerFactory;
  */
 public final class SetUpWorkers implements InvocationHandler, AutoCloseable {
   /** One for each processor is warm; while all of them work long, others get their share. */
-  private static final int WARM = Runtime.getRuntime().availableProcessors();
+  static final int WARM = Runtime.getRuntime().availableProcessors();
 
-  private static final int MOST_PER_PROCESSOR = 4;
+  /** Processes that work at once; further set-ups wait. */
+  static final int MOST = 4 * WARM;
 
   /** Operations that load the classes of the usual ones. */
   private static final List<String> WARM_UP = List.of("load", "info", "build", "pack");
@@ -40,8 +41,7 @@ public final class SetUpWorkers implements InvocationHandler, AutoCloseable {
 
   private final CurrentLimits limits;
   private final SetUpsHere here;
-  private final WarmProcesses processes =
-      new WarmProcesses(SetUpMain.class, true, MOST_PER_PROCESSOR * WARM, WARM);
+  private final WarmProcesses processes = new WarmProcesses(SetUpMain.class, true, MOST, WARM);
   private final SetUps setUps =
       (SetUps)
           Proxy.newProxyInstance(

@@ -27,12 +27,18 @@ final class HarmlessRun {
 
   /** Returns the order of a run with a harmless class. */
   static WorkerOrder order() throws Exception {
+    return order(PushedCart.harmlessSource());
+  }
+
+  /**
+   * Returns the order of a run with a class.
+   *
+   * @param source of {@code car.Push}
+   */
+  static WorkerOrder order(String source) throws Exception {
     LoadedModel read =
         LoadedModel.read(
-            "pushed.xml",
-            PushedCart.file(),
-            List.of(PushedCart.asSource(PushedCart.harmlessSource())),
-            true);
+            "pushed.xml", PushedCart.file(), List.of(PushedCart.asSource(source)), true);
     SimulationRequest asked = SimulationRequest.asInFile(read.model());
     try (ModelLibrary library = new ModelLibrary()) {
       CompiledModel compiled =

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.FutureTask;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -225,6 +226,41 @@ class SetUpWorkersTest {
     while (processes() > 0) {
       Thread.sleep(10);
     }
+  }
+
+  /** Checks and builds of different models, all at the same moment. */
+  @Test
+  void manyAtOnceAreAllAnsweredByFewProcesses() throws Exception {
+    SetUps outside = outside();
+    SetUps here = here();
+    String pendulum = pendulum().text();
+    int callers = 3 * SetUpWorkers.MOST;
+    List<FutureTask<String>> asked = new ArrayList<>();
+    for (int i = 0; i < callers; i++) {
+      String model = pendulum.replace("<MBSmodel name=\"", "<MBSmodel name=\"m" + i % 7 + "_");
+      boolean check = i % 2 == 0;
+      asked.add(new FutureTask<>(() -> answer(outside, model, check)));
+    }
+    asked.forEach(task -> new Thread(task).start());
+    long most = 0;
+    while (!asked.stream().allMatch(FutureTask::isDone)) {
+      most = Math.max(most, processes());
+      Thread.sleep(20);
+    }
+    for (int i = 0; i < callers; i++) {
+      String model = pendulum.replace("<MBSmodel name=\"", "<MBSmodel name=\"m" + i % 7 + "_");
+      assertThat(asked.get(i).get()).isEqualTo(answer(here, model, i % 2 == 0));
+    }
+    assertThat(most).isPositive().isLessThanOrEqualTo(SetUpWorkers.MOST);
+    while (processes() > SetUpWorkers.WARM) {
+      Thread.sleep(20); // the others are ending
+    }
+  }
+
+  private static String answer(SetUps setUps, String model, boolean check) throws Exception {
+    return check
+        ? setUps.reportOf("m.xml", model)
+        : setUps.build(files(model.getBytes(StandardCharsets.UTF_8)), AS_IN_FILE).files().sha256();
   }
 
   @Test
