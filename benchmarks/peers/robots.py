@@ -3,7 +3,7 @@
 
     benchmarks/peers/robots.py             # all; writes docs/reports/robots.md
     benchmarks/peers/robots.py --states 10 --only panda
-    benchmarks/peers/robots.py --again     # takes up results of the same benchmarks.jar
+    benchmarks/peers/robots.py --again     # takes up results of the same build
     benchmarks/peers/robots.py --mutations # only the changes of small models, a section of it
 
 Robots in URDF are compared with Pinocchio, in MJCF with MuJoCo, in SDF with Drake. Needs
@@ -510,7 +510,7 @@ def main():
     parser.add_argument("--states", type=int, default=100)
     parser.add_argument("--only", default="", help="part of the names of the files to try")
     parser.add_argument("--again", action="store_true",
-                        help="take up the results of an earlier call with the same benchmarks.jar")
+                        help="take up the results of an earlier call with the same build")
     options = parser.parse_args()
     in_environment()
     if options.mutations:
@@ -519,7 +519,7 @@ def main():
     packages = next((WORK / "venv").glob("lib/python*/site-packages")).resolve()
     found = [(f, t) for f, t in robots_in(packages) if options.only in str(f)]
     journal = WORK / "results.jsonl"
-    version = hashlib.sha256(JAR.read_bytes()).hexdigest()[:16] + f" {options.states}"
+    version = f"{built()} {options.states}"
     known = {}
     if options.again and journal.exists():
         for entry in map(json.loads, journal.read_text().splitlines()):
@@ -539,12 +539,21 @@ def main():
                 note(inside, {"text": hashlib.sha256(text.encode()).hexdigest()[:16],
                               **compared(file, packages, options.states, folder)})
         results = [known[str(file.relative_to(packages))] for file, _ in found]
-        for entry in without_copies(results):
+        # Small ones first, so that an interrupted call knows of most.
+        for entry in sorted(without_copies(results), key=lambda e: e.get("freedoms", 1000)):
             if entry.get("moves") and not {"run", "seconds"} & entry.keys():
                 note(entry["file"], run(packages / entry["file"], packages, folder))
     if not options.only and options.states >= 100:
         write(results, options.states)
         mutate()
+
+
+def built():
+    """Returns a name of the build: the hash of what we have compiled."""
+    ours = [jar for jar in sorted((JAR.parent / "lib").glob("*.jar"))
+            if jar.name.startswith(("mech", "solver-"))]
+    content = b"".join(jar.read_bytes() for jar in [JAR, *ours])
+    return hashlib.sha256(content).hexdigest()[:16]
 
 
 def without_copies(results):
@@ -577,6 +586,7 @@ def write(results, states):
     peers = sum(e["why"].startswith("the peer") for e in told)
     ran = [e for e in kept if "seconds" in e or "run" in e]
     whole = [e for e in ran if "run" not in e]
+    left = sum(bool(e.get("moves")) for e in kept) - len(ran)
     untold = [label(e) for e in rows if e["difference"] > 1e-6 and e["lost"] == 0]
     lines = [
         "# Imported robots beside Pinocchio, MuJoCo and Drake", "",
@@ -605,7 +615,8 @@ def write(results, states):
         "", f"Files that differ by more than 1e-6 while the import reports no change of the motion:"
         f" {', '.join(untold) if untold else 'none'}. MuJoCo drops products of inertia below 1e-12"
         f" kg m² when it turns to principal axes, which may be the rest below that.", "",
-        f"{len(whole)} of {len(ran)} that import run {RUN} s; half of them take less than"
+        f"{len(whole)} of {len(ran)} that import run {RUN} s"
+        + (f" ({left} were not tried)" if left else "") + f"; half of them take less than"
         f" {seconds[len(seconds) // 2]:.1f} s, nine of ten less than"
         f" {seconds[len(seconds) * 9 // 10]:.1f} s, the slowest {seconds[-1]:.1f} s, each on one"
         f" core, with the generation and compilation of its code; who takes more than"

@@ -148,20 +148,34 @@ final class MjcfActuators {
   List<Force> forces() {
     List<Force> all = new ArrayList<>(inputs);
     all.addAll(pulls);
+    joints.values().stream()
+        .map(Joint::element)
+        .filter(joint -> !pulls.isEmpty() && limit(joint).isPresent())
+        .forEach(
+            joint ->
+                losses.motion(
+                    joint,
+                    "its actuatorfrcrange does not hold for motors of tendons over sites and of"
+                        + " sites"));
     sums.forEach(
         (name, sum) -> {
           String force = String.join(" + ", sum.parts());
-          Element joint = joint(name).element();
-          Optional<String> range = joint.attribute("actuatorfrcrange");
-          boolean limited =
-              range.isPresent()
-                  && !joint.attribute("actuatorfrclimited").orElse("auto").equals("false");
-          if (limited) {
-            force = clamped(force, numbers.read(joint, "actuatorfrcrange", range.get(), 2, 2));
+          Optional<List<Double>> limit = limit(joint(name).element());
+          if (limit.isPresent()) {
+            force = clamped(force, limit.get());
           }
           all.add(new JointForce(sum.element(), name + " motor", name, force));
         });
     return all;
+  }
+
+  /** Returns the limits of the sum of all motors of a joint. */
+  private Optional<List<Double>> limit(Element joint) {
+    boolean off = joint.attribute("actuatorfrclimited").orElse("auto").equals("false");
+    return joint
+        .attribute("actuatorfrcrange")
+        .filter(text -> !off)
+        .map(text -> numbers.read(joint, "actuatorfrcrange", text, 2, 2));
   }
 
   private Joint joint(String name) {
@@ -614,7 +628,7 @@ final class MjcfActuators {
     whole.set(0, factor);
     List<Double> taken = gain.equals("affine") ? whole : List.of(factor, 0.0, 0.0);
     // In a servo, whose gain is minus its stiffness, a positive damping is a damping ratio.
-    boolean servo = gain.equals("fixed") && factor == -prm.get(1) && prm.get(2) > 0;
+    boolean servo = factor == -prm.get(1) && prm.get(2) > 0;
     Law law =
         new Law(
             taken,

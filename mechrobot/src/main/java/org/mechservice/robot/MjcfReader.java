@@ -184,7 +184,7 @@ final class MjcfReader {
   }
 
   private void addMedium(List<Link> whole) {
-    MjcfMedium medium = new MjcfMedium(options);
+    MjcfMedium medium = new MjcfMedium(options, losses);
     for (Link link : whole) {
       Element ellipsoid = ellipsoids.get(link.name());
       List<Force> around = medium.around(link);
@@ -561,9 +561,9 @@ final class MjcfReader {
     return Optional.of(
         new Inertial(
             inertial.element(),
-            inertial.frame(),
+            inertial.frame().times(new Frame(Vector3.ZERO, axes.frame())),
             Math.max(inertial.mass(), Math.max(least, 0)),
-            axes.tensor(moments)));
+            List.of(moments[0], moments[1], moments[2], 0.0, 0.0, 0.0)));
   }
 
   /** Collects the joints and shapes of a body, also those in frames and replicas. */

@@ -2,6 +2,7 @@ package org.mechservice.robot;
 
 import java.util.Arrays;
 import java.util.List;
+import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
@@ -43,6 +44,11 @@ final class PrincipalAxes {
   /** Returns an axis, 0 to 2, a unit vector; the three are a right-handed frame. */
   Vector3 axis(int i) {
     return new Vector3(axes[0][i], axes[1][i], axes[2][i]);
+  }
+
+  /** Returns the rotation from the axes to those of the tensor. */
+  Rotation frame() {
+    return Rotation.ofColumns(axis(0), axis(1), axis(2));
   }
 
   /**
