@@ -118,6 +118,10 @@ final class MjcfActuators {
     void act(Element actuator, String name, String force);
   }
 
+  /** What an actuator may act on. */
+  private static final List<String> TARGETS =
+      List.of("joint", "jointinparent", "tendon", "site", "body", "cranksite");
+
   private final Map<String, Joint> joints;
   private final Map<String, Site> sites;
   private final Map<String, Double> references;
@@ -204,6 +208,10 @@ final class MjcfActuators {
       Consumer<MjcfLine> mark) {
     if (actuator.name().equals("adhesion")) {
       losses.contact(actuator, "left out: it acts where its body touches another");
+      return;
+    }
+    if (TARGETS.stream().allMatch(target -> actuator.attribute(target).isEmpty())) {
+      numbers.missing(actuator, "a joint, tendon, site or body to act on");
       return;
     }
     Optional<Law> law = law(actuator);

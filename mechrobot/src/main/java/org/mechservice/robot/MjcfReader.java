@@ -512,6 +512,11 @@ final class MjcfReader {
     List<HeldJoint> held = new ArrayList<>();
     List<MjcfGeometry.Held> shapes = new ArrayList<>();
     collect(scope, body, Frame.SAME, held, shapes);
+    if (body.attribute("mocap").filter("true"::equals).isPresent()
+        && !(held.isEmpty() && parent.equals(WORLD))) {
+      numbers.contradiction(
+          body, "it is moved from outside (mocap), and rests on the world without a joint");
+    }
     shapes.stream()
         .map(MjcfGeometry.Held::element)
         .filter(one -> one.attribute("fluidshape").filter("ellipsoid"::equals).isPresent())
@@ -652,6 +657,9 @@ final class MjcfReader {
     if (inertial.attribute("mass").isEmpty()) {
       numbers.missing(inertial, "attribute mass");
       return Optional.empty();
+    }
+    if (inertial.attribute("pos").isEmpty()) {
+      numbers.missing(inertial, "attribute pos");
     }
     Optional<String> diagonal = inertial.attribute("diaginertia");
     Optional<String> full = inertial.attribute("fullinertia");

@@ -30,10 +30,16 @@ final class Xacro {
    * @throws UsageException if the program refuses the file
    */
   static Optional<byte[]> expanded(Path file, List<String> values) throws IOException {
+    return expanded("xacro", file, values);
+  }
+
+  /** As above, with a program of another name. */
+  static Optional<byte[]> expanded(String program, Path file, List<String> values)
+      throws IOException {
     if (!hasMacros(file)) {
       return Optional.empty();
     }
-    List<String> command = new ArrayList<>(List.of("xacro", file.toString()));
+    List<String> command = new ArrayList<>(List.of(program, file.toString()));
     command.addAll(values);
     Path said = Files.createTempFile("xacro", ".txt");
     try {
