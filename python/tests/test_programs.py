@@ -101,6 +101,22 @@ def test_robots_come_and_go(tmp_path):
     assert loop.value.code == "M-086"
 
 
+def test_models_go_to_mujoco_with_their_loops(tmp_path):
+    loop = mechservice.read("examples/four-bar/four-bar.xml")
+    loop.write_mjcf(tmp_path / "loop.mjcf")
+    assert "<connect" in (tmp_path / "loop.mjcf").read_text()
+    model = mechservice.read(PENDULUM)
+    assert model.write_mjcf(tmp_path / "pendulum.mjcf", strict=True) == []
+    there = model.simulate(t_end=1, rtol=1e-10, atol=1e-12)
+    back = mechservice.read(tmp_path / "pendulum.mjcf").simulate(t_end=1, rtol=1e-10, atol=1e-12)
+    assert np.abs(there.values - back.values).max() < 1e-8
+    hill = mechservice.read("examples/how-to/thrown-ball.xml")
+    with pytest.raises(mechservice.MechError, match="MJCF does not have"):
+        hill.write_mjcf(tmp_path / "hill.mjcf", strict=True)
+    assert not (tmp_path / "hill.mjcf").exists()
+    assert "M-087" in hill.write_mjcf(tmp_path / "hill.mjcf")[0]
+
+
 def test_sweeps_tell_how_far_they_are():
     told = []
     model = mechservice.read("examples/elements/Parameters.xml")

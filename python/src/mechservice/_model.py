@@ -290,13 +290,34 @@ class Model:
         Raises ModelError (M-086) if the mechanism would be another one: loops, constraints, joints
         of types S, PL and H.
         """
+        return self._write_robot("URDF", path, strict)
+
+    def write_mjcf(
+        self, path: "Union[str, os.PathLike[str]]", *, strict: bool = False
+    ) -> List[str]:
+        """Writes the mechanism as a model of MuJoCo; returns what MJCF cannot express.
+
+        Loops, couplings, armature, motors with their inputs and the start are written, too.
+
+        strict: raise a MechError instead of leaving anything out; nothing is written then.
+
+        Raises ModelError (M-086) if the mechanism would be another one: constraints and joints that
+        MJCF does not have, moving bodies without mass.
+        """
+        return self._write_robot("MJCF", path, strict)
+
+    def _write_robot(
+        self, title: str, path: "Union[str, os.PathLike[str]]", strict: bool
+    ) -> List[str]:
         with python_errors():
             java = self._in_process()
-            if strict:
-                lost = [str(one.toString()) for one in java.urdf().losses()]
-                if lost:
-                    raise MechError("S-127 URDF does not have:\n" + "\n".join(lost))
-            return [str(one.toString()) for one in java.writeUrdf(java_path(path))]
+            robot = java.urdf() if title == "URDF" else java.mjcf()
+            lost = [str(one.toString()) for one in robot.losses()]
+            if strict and lost:
+                raise MechError(f"S-127 {title} does not have:\n" + "\n".join(lost))
+            with open(path, "w", encoding="utf-8", newline="") as file:
+                file.write(str(robot.text()))
+            return lost
 
     def drawing(self) -> str:
         """Returns the drawing of the mechanism in its initial position as SVG."""

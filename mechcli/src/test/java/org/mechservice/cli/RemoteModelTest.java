@@ -72,7 +72,7 @@ class RemoteModelTest {
           "userCodeWarning");
 
   /** With and without arguments: what writes files beside the model, and code in this process. */
-  private static final Set<String> ONLY_HERE = Set.of("writeUrdf", "instances");
+  private static final Set<String> ONLY_HERE = Set.of("writeUrdf", "writeMjcf", "instances");
 
   @TempDir private Path folder = Path.of("");
 

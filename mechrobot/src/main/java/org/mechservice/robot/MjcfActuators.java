@@ -118,6 +118,10 @@ final class MjcfActuators {
     void act(Element actuator, String name, String force);
   }
 
+  /** What an actuator may act on. */
+  private static final List<String> TARGETS =
+      List.of("joint", "jointinparent", "tendon", "site", "body", "cranksite");
+
   private final Map<String, Joint> joints;
   private final Map<String, Site> sites;
   private final Map<String, Double> references;
@@ -148,20 +152,34 @@ final class MjcfActuators {
   List<Force> forces() {
     List<Force> all = new ArrayList<>(inputs);
     all.addAll(pulls);
+    joints.values().stream()
+        .map(Joint::element)
+        .filter(joint -> !pulls.isEmpty() && limit(joint).isPresent())
+        .forEach(
+            joint ->
+                losses.motion(
+                    joint,
+                    "its actuatorfrcrange does not hold for motors of tendons over sites and of"
+                        + " sites"));
     sums.forEach(
         (name, sum) -> {
           String force = String.join(" + ", sum.parts());
-          Element joint = joint(name).element();
-          Optional<String> range = joint.attribute("actuatorfrcrange");
-          boolean limited =
-              range.isPresent()
-                  && !joint.attribute("actuatorfrclimited").orElse("auto").equals("false");
-          if (limited) {
-            force = clamped(force, numbers.read(joint, "actuatorfrcrange", range.get(), 2, 2));
+          Optional<List<Double>> limit = limit(joint(name).element());
+          if (limit.isPresent()) {
+            force = clamped(force, limit.get());
           }
           all.add(new JointForce(sum.element(), name + " motor", name, force));
         });
     return all;
+  }
+
+  /** Returns the limits of the sum of all motors of a joint. */
+  private Optional<List<Double>> limit(Element joint) {
+    boolean off = joint.attribute("actuatorfrclimited").orElse("auto").equals("false");
+    return joint
+        .attribute("actuatorfrcrange")
+        .filter(text -> !off)
+        .map(text -> numbers.read(joint, "actuatorfrcrange", text, 2, 2));
   }
 
   private Joint joint(String name) {
@@ -192,6 +210,10 @@ final class MjcfActuators {
       losses.contact(actuator, "left out: it acts where its body touches another");
       return;
     }
+    if (TARGETS.stream().allMatch(target -> actuator.attribute(target).isEmpty())) {
+      numbers.missing(actuator, "a joint, tendon, site or body to act on");
+      return;
+    }
     Optional<Law> law = law(actuator);
     if (law.isEmpty()) {
       losses.motion(actuator, "a motor of this kind is left out");
@@ -213,7 +235,50 @@ final class MjcfActuators {
     if (acting.dampingRatio() != 0) {
       acting = acting.damped(way.inertia());
     }
-    addForce(actuator, scope, acting, way);
+    addForce(actuator, scope, acting, way, inherited(scope, actuator, tendons));
+  }
+
+  /**
+   * Returns the range that an actuator inherits: that of its joint or tendon, made wider or
+   * narrower about its middle.
+   */
+  private Optional<List<Double>> inherited(
+      MjcfReader.Scope scope, Element actuator, Map<String, Tendon> tendons) {
+    double share = numbers.optional(actuator, "inheritrange", 0);
+    if (!(share > 0)) {
+      return Optional.empty();
+    }
+    Optional<Joint> joint =
+        actuator
+            .attribute("joint")
+            .flatMap(name -> Optional.ofNullable(joints.get(scope.named(name))));
+    Optional<Element> target =
+        joint
+            .map(Joint::element)
+            .or(
+                () ->
+                    actuator
+                        .attribute("tendon")
+                        .flatMap(name -> Optional.ofNullable(tendons.get(scope.named(name))))
+                        .map(Tendon::element));
+    boolean turns = joint.filter(one -> one.type() != Freedom.PRISMATIC).isPresent();
+    double unit = turns ? scope.compiler().angle() : 1;
+    Optional<List<Double>> range =
+        target.flatMap(
+            one -> one.attribute("range").map(text -> numbers.read(one, "range", text, 2, 2)));
+    if (range.isEmpty()) {
+      numbers.contradiction(
+          actuator, "inheritrange is " + share + ", and its joint or tendon has no range");
+    }
+    if (actuator.attribute("ctrlrange").isPresent() || actuator.attribute("actrange").isPresent()) {
+      numbers.contradiction(actuator, "it has inheritrange and a range of its own");
+    }
+    return range.map(
+        ends -> {
+          double middle = unit * (ends.get(0) + ends.get(1)) / 2;
+          double half = share * unit * (ends.get(1) - ends.get(0)) / 2;
+          return List.of(middle - half, middle + half);
+        });
   }
 
   private Optional<Transmission> transmission(
@@ -228,7 +293,8 @@ final class MjcfActuators {
     while (gear.size() < 6) {
       gear.add(0.0);
     }
-    Optional<String> single = actuator.attribute("joint");
+    Optional<String> inParent = actuator.attribute("jointinparent");
+    Optional<String> single = actuator.attribute("joint").or(() -> inParent);
     Optional<Tendon> tendon =
         actuator
             .attribute("tendon")
@@ -243,7 +309,9 @@ final class MjcfActuators {
       if (joint.type().isSingle()) {
         return Optional.of(alongJoints(Map.of(joint.name(), gear.get(0))));
       }
-      return joint.type() == Freedom.FLOATING ? Optional.of(atFree(joint, gear)) : Optional.empty();
+      return joint.type() == Freedom.FLOATING && inParent.isEmpty()
+          ? Optional.of(atFree(joint, gear))
+          : Optional.empty();
     }
     if (tendon.isPresent()) {
       double factor = gear.get(0);
@@ -411,10 +479,16 @@ final class MjcfActuators {
         "(" + MechmlText.number(v.z()) + ")*" + strength);
   }
 
-  private void addForce(Element actuator, MjcfReader.Scope scope, Law law, Transmission way) {
+  private void addForce(
+      Element actuator,
+      MjcfReader.Scope scope,
+      Law law,
+      Transmission way,
+      Optional<List<Double>> inherited) {
     String target =
         actuator
             .attribute("joint")
+            .or(() -> actuator.attribute("jointinparent"))
             .or(() -> actuator.attribute("tendon"))
             .or(() -> actuator.attribute("site"))
             .map(scope::named)
@@ -431,7 +505,9 @@ final class MjcfActuators {
     String signal = actuator.name().matches("general|damper|cylinder") ? "1" : unit;
     inputs.add(new Input(actuator, name, speeds ? unit + "/s" : signal));
     String u = MechmlText.name(name);
-    Optional<List<Double>> control = range(actuator, "ctrl");
+    boolean integrates = law.activation() == Activation.INTEGRAL;
+    Optional<List<Double>> control =
+        inherited.filter(r -> !integrates).or(() -> range(actuator, "ctrl"));
     if (control.isPresent()) {
       u = clamped(u, control.get());
     }
@@ -444,7 +520,7 @@ final class MjcfActuators {
       String rate =
           law.activation() == Activation.FILTER
               ? "(" + u + " - " + own + ")/(" + MechmlText.number(law.time()) + ")"
-              : bounded(own, u, range(actuator, "act"));
+              : bounded(own, u, inherited.or(() -> range(actuator, "act")));
       inputs.add(new State(actuator, follower, signal, rate));
       u = own;
     }
@@ -560,7 +636,7 @@ final class MjcfActuators {
     whole.set(0, factor);
     List<Double> taken = gain.equals("affine") ? whole : List.of(factor, 0.0, 0.0);
     // In a servo, whose gain is minus its stiffness, a positive damping is a damping ratio.
-    boolean servo = gain.equals("fixed") && factor == -prm.get(1) && prm.get(2) > 0;
+    boolean servo = factor == -prm.get(1) && prm.get(2) > 0;
     Law law =
         new Law(
             taken,

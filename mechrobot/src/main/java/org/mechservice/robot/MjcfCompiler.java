@@ -2,6 +2,7 @@ package org.mechservice.robot;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.robot.Robot.Frame;
 import org.mechservice.solver.spatial.EulerParameters;
@@ -125,6 +126,10 @@ final class MjcfCompiler {
     Optional<String> euler = element.attribute("euler");
     Optional<String> axes = element.attribute("xyaxes");
     Optional<String> zAxis = element.attribute("zaxis");
+    if (Stream.of(quaternion, axisAngle, euler, axes, zAxis).filter(Optional::isPresent).count()
+        > 1) {
+      numbers.contradiction(element, "it has several orientations; leave one");
+    }
     if (quaternion.isPresent()) {
       return ofQuaternion(element, numbers.read(element, "quat", quaternion.get(), 4, 4));
     }

@@ -45,12 +45,18 @@ final class MjcfForces {
   /**
    * A tendon over joints, whose length is a sum of positions, or over sites.
    *
+   * @param element its element in the file
    * @param terms factors by joint; empty if it is over sites
    * @param start its length where all coordinates are zero, as far as the terms do not count it
    * @param angle whether it is an angle
    * @param line over sites
    */
-  record Tendon(Map<String, Double> terms, double start, boolean angle, Optional<MjcfLine> line) {}
+  record Tendon(
+      Element element,
+      Map<String, Double> terms,
+      double start,
+      boolean angle,
+      Optional<MjcfLine> line) {}
 
   /** MuJoCo's mark of a length that it takes itself. */
   private static final double AUTOMATIC = -1;
@@ -443,7 +449,7 @@ final class MjcfForces {
       start += factor * references.getOrDefault(joint.get().name(), 0.0);
       angle &= joint.get().type() != Freedom.PRISMATIC;
     }
-    return Optional.of(new Tendon(terms, start, angle, Optional.empty()));
+    return Optional.of(new Tendon(tendon, terms, start, angle, Optional.empty()));
   }
 
   /** Returns a tendon that goes straight from site to site; empty if it goes around shapes. */
@@ -478,7 +484,7 @@ final class MjcfForces {
       }
     }
     line.add(stretch, factor);
-    return Optional.of(new Tendon(Map.of(), 0, false, Optional.of(line)));
+    return Optional.of(new Tendon(tendon, Map.of(), 0, false, Optional.of(line)));
   }
 
   private Vector3 place(Mark mark) {

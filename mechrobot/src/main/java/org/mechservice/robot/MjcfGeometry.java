@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
@@ -205,6 +206,7 @@ final class MjcfGeometry {
           geometry.attribute("fromto").map(text -> numbers.read(geometry, "fromto", text, 6, 6));
       Optional<Double> half = Optional.empty();
       if (ends.isPresent()) {
+        requireEnds(geometry, type);
         List<Double> e = ends.get();
         Vector3 from = new Vector3(e.get(0), e.get(1), e.get(2));
         Vector3 to = new Vector3(e.get(3), e.get(4), e.get(5));
@@ -222,6 +224,15 @@ final class MjcfGeometry {
     if (shape.isPresent()) {
       double mass = given.orElse(density * shape.get().volume());
       masses.add(held.frame().times(frame), mass, shape.get());
+    }
+  }
+
+  private void requireEnds(Element geometry, String type) {
+    if (!Set.of("capsule", "cylinder", "box", "ellipsoid").contains(type)) {
+      numbers.contradiction(geometry, "a " + type + " has no two ends (fromto)");
+    }
+    if (geometry.attribute("pos").isPresent()) {
+      numbers.contradiction(geometry, "it has two ends (fromto) and a place (pos); leave one");
     }
   }
 

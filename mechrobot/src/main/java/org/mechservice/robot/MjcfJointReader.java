@@ -159,8 +159,8 @@ final class MjcfJointReader {
               .attribute("range")
               .map(text -> numbers.read(element, "range", text, 2, 2))
               .orElse(List.of(0.0, 0.0));
-      if (ends.get(0) > ends.get(1)) {
-        numbers.contradiction(element, "its range is reversed; write the lower end first");
+      if (!(ends.get(0) < ends.get(1))) {
+        numbers.contradiction(element, "its range is empty; write the lower end first");
       }
       limits =
           Optional.of(new Range(ends.get(0) * unit - reference, ends.get(1) * unit - reference));

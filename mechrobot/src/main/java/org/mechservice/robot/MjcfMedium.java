@@ -1,6 +1,7 @@
 package org.mechservice.robot;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.mechservice.robot.Robot.BodyForce;
 import org.mechservice.robot.Robot.Force;
@@ -28,13 +29,18 @@ final class MjcfMedium {
   /** MuJoCo's least mass of a body that feels the medium, kg, and least moment, kg·m². */
   private static final double LEAST = 1e-15;
 
+  /** Part of the largest moment by which two differ at least if their axes are to be defined. */
+  private static final double EQUAL = 1e-9;
+
   private static final List<String> AXES = List.of("x", "y", "z");
 
   private final double density;
   private final double viscosity;
   private final Vector3 wind;
+  private final ImportLosses losses;
 
-  MjcfMedium(MjcfOptions options) {
+  MjcfMedium(MjcfOptions options, ImportLosses losses) {
+    this.losses = losses;
     density = options.density();
     viscosity = options.viscosity();
     wind = options.wind();
@@ -51,6 +57,12 @@ final class MjcfMedium {
 
   private List<Force> around(Link link, Inertial inertial) {
     PrincipalAxes axes = PrincipalAxes.of(inertial.moments());
+    if (density > 0 && isOpen(inertial, axes.moments())) {
+      losses.motion(
+          link.element(),
+          "two of its principal moments are equal, so the sides of its box in the medium are any;"
+              + " MuJoCo may have taken others");
+    }
     Vector3 centre = inertial.frame().at();
     List<Force> all = new ArrayList<>();
     Mark middle = new Mark(link.element(), link.name() + " medium", link.name(), centre);
@@ -98,6 +110,14 @@ final class MjcfMedium {
             inWorld(middle, ends, forces),
             inWorld(middle, ends, torques)));
     return all;
+  }
+
+  /** Returns whether the axes of two moments may lie anywhere in their plane. */
+  private static boolean isOpen(Inertial inertial, double[] moments) {
+    double[] m = moments.clone();
+    Arrays.sort(m);
+    boolean turned = inertial.moments().subList(3, 6).stream().anyMatch(x -> x != 0);
+    return turned && Math.min(m[1] - m[0], m[2] - m[1]) < EQUAL * m[2];
   }
 
   /** Returns the sides of the box with a mass and moments, m. */

@@ -2,6 +2,7 @@ package org.mechservice.robot;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -183,7 +184,7 @@ final class MjcfReader {
   }
 
   private void addMedium(List<Link> whole) {
-    MjcfMedium medium = new MjcfMedium(options);
+    MjcfMedium medium = new MjcfMedium(options, losses);
     for (Link link : whole) {
       Element ellipsoid = ellipsoids.get(link.name());
       List<Force> around = medium.around(link);
@@ -202,7 +203,11 @@ final class MjcfReader {
     for (Scope scope : scopes) {
       for (Element actuator : scope.file().all("actuator")) {
         double armature = numbers.optional(actuator, "armature", 0);
-        Optional<String> joint = actuator.attribute("joint").map(scope::named);
+        Optional<String> joint =
+            actuator
+                .attribute("joint")
+                .or(() -> actuator.attribute("jointinparent"))
+                .map(scope::named);
         if (armature == 0) {
           continue;
         }
@@ -507,6 +512,11 @@ final class MjcfReader {
     List<HeldJoint> held = new ArrayList<>();
     List<MjcfGeometry.Held> shapes = new ArrayList<>();
     collect(scope, body, Frame.SAME, held, shapes);
+    if (body.attribute("mocap").filter("true"::equals).isPresent()
+        && !(held.isEmpty() && parent.equals(WORLD))) {
+      numbers.contradiction(
+          body, "it is moved from outside (mocap), and rests on the world without a joint");
+    }
     shapes.stream()
         .map(MjcfGeometry.Held::element)
         .filter(one -> one.attribute("fluidshape").filter("ellipsoid"::equals).isPresent())
@@ -546,35 +556,19 @@ final class MjcfReader {
     }
     Inertial inertial =
         read.orElse(new Inertial(body, Frame.SAME, 0, List.of(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)));
-    List<Double> moments = inertial.moments();
-    boolean principal = moments.subList(3, 6).stream().allMatch(x -> x == 0);
-    double a = moments.get(0);
-    double b = moments.get(1);
-    double c = moments.get(2);
-    boolean impossible = a + b < c || a + c < b || b + c < a;
-    boolean small = Math.min(a, Math.min(b, c)) < leastMoment;
-    if (!principal && (leastMoment > 0 || balances)) {
-      losses.motion(body, "boundinertia and balanceinertia of the compiler are left out");
-      impossible = false;
-      small = false;
+    PrincipalAxes axes = PrincipalAxes.of(inertial.moments());
+    double[] moments = axes.moments();
+    Arrays.setAll(moments, k -> Math.max(moments[k], leastMoment));
+    double sum = moments[0] + moments[1] + moments[2];
+    if (balances && Arrays.stream(moments).anyMatch(m -> 2 * m > sum)) {
+      Arrays.fill(moments, sum / 3);
     }
-    if (small && leastMoment > 0) {
-      a = Math.max(a, leastMoment);
-      b = Math.max(b, leastMoment);
-      c = Math.max(c, leastMoment);
-    }
-    if (impossible && balances) {
-      a = (a + b + c) / 3;
-      b = a;
-      c = a;
-    }
-    List<Double> bound = List.of(a, b, c, moments.get(3), moments.get(4), moments.get(5));
     return Optional.of(
         new Inertial(
             inertial.element(),
-            inertial.frame(),
+            inertial.frame().times(new Frame(Vector3.ZERO, axes.frame())),
             Math.max(inertial.mass(), Math.max(least, 0)),
-            bound));
+            List.of(moments[0], moments[1], moments[2], 0.0, 0.0, 0.0)));
   }
 
   /** Collects the joints and shapes of a body, also those in frames and replicas. */
@@ -663,6 +657,9 @@ final class MjcfReader {
     if (inertial.attribute("mass").isEmpty()) {
       numbers.missing(inertial, "attribute mass");
       return Optional.empty();
+    }
+    if (inertial.attribute("pos").isEmpty()) {
+      numbers.missing(inertial, "attribute pos");
     }
     Optional<String> diagonal = inertial.attribute("diaginertia");
     Optional<String> full = inertial.attribute("fullinertia");

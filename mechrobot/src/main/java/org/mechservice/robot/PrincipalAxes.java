@@ -1,6 +1,8 @@
 package org.mechservice.robot;
 
+import java.util.Arrays;
 import java.util.List;
+import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
@@ -42,6 +44,31 @@ final class PrincipalAxes {
   /** Returns an axis, 0 to 2, a unit vector; the three are a right-handed frame. */
   Vector3 axis(int i) {
     return new Vector3(axes[0][i], axes[1][i], axes[2][i]);
+  }
+
+  /** Returns the rotation from the axes to those of the tensor. */
+  Rotation frame() {
+    return Rotation.ofColumns(axis(0), axis(1), axis(2));
+  }
+
+  /**
+   * Returns the tensor with other moments about the axes: xx, yy, zz, xy, xz, yz, kg·m².
+   *
+   * @param moments about the three axes, kg·m²
+   */
+  List<Double> tensor(double[] moments) {
+    double[] sum = new double[6];
+    for (int i = 0; i < 3; i++) {
+      double m = moments[i];
+      Vector3 a = axis(i);
+      sum[0] += m * a.x() * a.x();
+      sum[1] += m * a.y() * a.y();
+      sum[2] += m * a.z() * a.z();
+      sum[3] += m * a.x() * a.y();
+      sum[4] += m * a.x() * a.z();
+      sum[5] += m * a.y() * a.z();
+    }
+    return Arrays.stream(sum).boxed().toList();
   }
 
   /** Makes the largest element zero; returns whether there was one beside rounding. */

@@ -51,6 +51,12 @@ record Robot(
     this(format, name, gravity, links, joints, List.of(), List.of(), List.of(), Map.of());
   }
 
+  /** Returns the robot with other links and joints. */
+  Robot with(List<Link> otherLinks, List<Joint> otherJoints) {
+    return new Robot(
+        format, name, gravity, otherLinks, otherJoints, loops, couplings, forces, starts);
+  }
+
   /**
    * A frame in another one.
    *

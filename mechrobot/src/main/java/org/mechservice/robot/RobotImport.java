@@ -118,7 +118,9 @@ public record RobotImport(
     }
     diagnostics.throwIfErrors();
     List<Diagnostic> notes = new ArrayList<>();
-    Robot rooted = RobotRoot.of(read, options.floating(), fileName, notes);
+    // MuJoCo refuses what no body can have, and so does MechML.
+    Robot possible = format == RobotFormat.MJCF ? read : PossibleInertia.of(read, losses);
+    Robot rooted = RobotRoot.of(possible, options.floating(), fileName, notes);
     RobotTree tree = RobotTree.of(rooted, diagnostics);
     diagnostics.throwIfErrors();
     RobotLooks looks = new RobotLooks(options.looks(), losses);
@@ -156,8 +158,8 @@ public record RobotImport(
             MessageCode.NOT_A_ROBOT,
             child.position(),
             Phrase.of(
-                "<%s> is a macro; convert the file to URDF with xacro first, or pipe it: xacro"
-                    + " ROBOT.xacro | mech import - -o MODEL.xml",
+                "<%s> is a macro; mech import expands it if the program xacro is installed (pip"
+                    + " install xacro)",
                 Quoted.plain(child.name())));
         return;
       }

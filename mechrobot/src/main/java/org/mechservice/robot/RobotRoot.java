@@ -87,16 +87,7 @@ final class RobotRoot {
             Place.at(Frame.SAME, new Vector3(1, 0, 0)),
             Coordinate.FREE));
     all.addAll(robot.joints());
-    return new Robot(
-        robot.format(),
-        robot.name(),
-        robot.gravity(),
-        links,
-        all,
-        robot.loops(),
-        robot.couplings(),
-        robot.forces(),
-        robot.starts());
+    return robot.with(links, all);
   }
 
   private static String free(String wished, Set<String> taken) {

@@ -97,7 +97,8 @@ import org.mechservice.solver.text.Sha256;
  *       #request}.
  *   <li>Analyses are {@link #equilibrium}, {@link #modes}, {@link #linearise}, {@link
  *       #linearSystem}, {@link #kinematics} and {@link #inverseDynamics}.
- *   <li>Files are written by {@link #report(Path)}, {@link #writeJar} and {@link #writeUrdf}.
+ *   <li>Files are written by {@link #report(Path)}, {@link #writeJar}, {@link #writeUrdf} and
+ *       {@link #writeMjcf}.
  * </ul>
  *
  * <p>Immutable: each change returns another model. Code is generated once, when it is first needed.
@@ -799,6 +800,19 @@ public final class MechModel {
    */
   public RobotExport urdf() throws MechmlException {
     return RobotExport.of(file.name(), model, file());
+  }
+
+  /**
+   * Writes the mechanism as a model of MuJoCo, with the present values of its parameters.
+   *
+   * @return what MJCF cannot express and is left out: warnings M-087
+   * @throws MechmlException M-086 as {@link #mjcf}
+   * @throws IOException if the file cannot be written
+   */
+  public List<Diagnostic> writeMjcf(Path mjcf) throws IOException, MechmlException {
+    RobotExport robot = mjcf();
+    Files.writeString(mjcf, robot.text());
+    return robot.losses();
   }
 
   /**

@@ -12,19 +12,31 @@ import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Timer;
+import java.util.TimerTask;
+import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.robot.ImportOptions;
 import org.mechservice.robot.LossGrade;
 import org.mechservice.robot.RobotImport;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.joint.Joint;
 
 /** Accelerations of imported robots in given states, for comparison with other programs. */
 public final class RobotAccelerations {
+  private static final int ROWS = 100;
+
+  /** Time between two looks at how long a run takes, ms. */
+  private static final int LOOK = 100;
+
   private RobotAccelerations() {}
 
   /**
@@ -34,7 +46,10 @@ public final class RobotAccelerations {
    * [q; v] and the file of dv/dt to write, both as doubles in the order of the machine's network.
    * The answer to a file alone is a line with the counts of positions, velocities and losses that
    * change the motion, and a line for each joint: name, type, first position, first velocity in y.
-   * Each answer ends with an empty line; one that begins with {@code !} says what failed.
+   * With the word {@code run}, an end of simulated time and a limit of the processor's time, both
+   * in s, the robot is imported and run as {@code mech import} and {@code mech simulate} do; the
+   * answer has the time reached and the processor's time taken. Each answer ends with an empty
+   * line; one that begins with {@code !} says what failed.
    *
    * @param args none
    */
@@ -46,6 +61,11 @@ public final class RobotAccelerations {
     for (String line = asked.readLine(); line != null; line = asked.readLine()) {
       String[] parts = line.split("\t", -1);
       try {
+        if (parts.length > 1 && parts[1].equals("run")) {
+          run(parts[0], Double.parseDouble(parts[2]), Double.parseDouble(parts[3]), answer);
+          answer.println();
+          continue;
+        }
         if (parts.length == 1 || robot == null || !parts[0].equals(file)) {
           robot = RobotImport.read(Path.of(parts[0]), ImportOptions.NONE);
           file = parts[0];
@@ -61,6 +81,37 @@ public final class RobotAccelerations {
       }
       answer.println();
     }
+  }
+
+  private static void run(String file, double end, double limit, PrintStream answer)
+      throws IOException, MechmlException {
+    MechModel model = MechModel.importRobot(Path.of(file)).until(end).every(end / ROWS);
+    RunControl control = new RunControl();
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    long thread = Thread.currentThread().getId();
+    long begun = threads.getThreadCpuTime(thread);
+    Timer watch = new Timer(true);
+    watch.schedule(
+        new TimerTask() {
+          @Override
+          public void run() {
+            if (threads.getThreadCpuTime(thread) - begun > limit * 1e9) {
+              control.stop();
+            }
+          }
+        },
+        LOOK,
+        LOOK);
+    try {
+      model.simulate(control);
+    } finally {
+      watch.cancel();
+    }
+    answer.printf(
+        Locale.ROOT,
+        "%g %.2f%n",
+        control.time(),
+        (threads.getThreadCpuTime(thread) - begun) * 1e-9);
   }
 
   private static void describe(RobotImport robot, PrintStream answer) {

@@ -45,6 +45,7 @@ import picocli.CommandLine.Spec;
     footer = {
       "mech import arm.urdf -o arm.xml",
       "mech import scene.xml --keyframe home --losses all -o scene-mechml.xml",
+      "mech import arm.urdf.xacro --xacro side:=left -o arm.xml",
       "mech import - --path ~/ros/src --floating -o dog.xml < dog.urdf"
     },
     mixinStandardHelpOptions = true,
@@ -90,7 +91,8 @@ public final class ImportCommand implements Callable<Integer> {
       paramLabel = "ROBOT",
       description =
           "The robot in URDF, SDF or MJCF; its outermost element tells the format. - is the"
-              + " standard input.")
+              + " standard input. Macros of xacro are expanded by the program of this name, if it"
+              + " is installed.")
   private String robot = "";
 
   @Option(
@@ -113,6 +115,13 @@ public final class ImportCommand implements Callable<Integer> {
           "Folder in which packages (package://NAME) and models (model://NAME) are sought, besides"
               + " those around the robot; may be given several times.")
   private List<Path> paths = List.of();
+
+  @Option(
+      names = "--xacro",
+      paramLabel = "NAME:=VALUE",
+      description =
+          "Value of an argument of a robot with macros of xacro; may be given several times.")
+  private List<String> xacro = List.of();
 
   @Option(
       names = "--keyframe",
@@ -202,9 +211,18 @@ public final class ImportCommand implements Callable<Integer> {
             paths,
             Optional.of(looks()));
     try {
-      return robot.equals("-")
-          ? RobotImport.read(shown(), standardInput(), Path.of("").toAbsolutePath(), options)
-          : RobotImport.read(Path.of(robot), options);
+      if (robot.equals("-")) {
+        return RobotImport.read(shown(), standardInput(), Path.of("").toAbsolutePath(), options);
+      }
+      Path file = Path.of(robot);
+      Optional<byte[]> expanded = Xacro.expanded(file, xacro);
+      return expanded.isPresent()
+          ? RobotImport.read(
+              robot + " (expanded)",
+              expanded.get(),
+              file.toAbsolutePath().normalize().resolveSibling(""),
+              options)
+          : RobotImport.read(file, options);
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }

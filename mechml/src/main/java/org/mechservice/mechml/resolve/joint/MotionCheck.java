@@ -2,10 +2,12 @@ package org.mechservice.mechml.resolve.joint;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.solver.api.run.RunSettings;
@@ -19,14 +21,27 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
- * Refuses prescribed motions that no mechanism can follow: those whose position jumps, and those
- * whose position, velocity or acceleration is not finite at the start of the run.
+ * Refuses prescribed motions that no mechanism can follow: those whose position jumps, those whose
+ * position, velocity or acceleration is not finite at the start of the run, and measured Euler
+ * parameters whose signs change from one row of their tables to the next.
  */
 public final class MotionCheck {
   private static final MathContext DIGITS = new MathContext(6);
 
   /** Jumps of this size, in SI units, or larger come from poles; the message omits their size. */
   private static final double POLE = 1e12;
+
+  /**
+   * Norm of Euler parameters between two rows of their tables, over that at the rows, below which
+   * their signs differ. Rows that are a rotation of β apart have cos β/4 in the middle, and sin β/4
+   * if one of them has the other sign: 0.71 both for half a turn, above which nobody could tell.
+   */
+  private static final double LEAST_NORM = 0.6;
+
+  /**
+   * Parts of the time from one place of the formulas to the next at which the norm is looked at.
+   */
+  private static final int PARTS = 8;
 
   private MotionCheck() {}
 
@@ -55,6 +70,10 @@ public final class MotionCheck {
       if (!told.contains(joint)) {
         atStart(mechanism, motion.coordinates(), run.tStart(), moves)
             .ifPresent(text -> report(links, joint, text, diagnostics));
+        TurningPath.normOfTables(motion.coordinates())
+            .flatMap(norm -> turnsOver(mechanism, norm, run))
+            .ifPresent(
+                text -> report(links, joint, MessageCode.NOT_EULER_PARAMETERS, text, diagnostics));
       }
     }
     for (LoopClosure closure : mechanism.closures()) {
@@ -67,6 +86,11 @@ public final class MotionCheck {
 
   private static void report(
       List<JointLink> links, String joint, String text, Diagnostics diagnostics) {
+    report(links, joint, MessageCode.MOTION_JUMPS, text, diagnostics);
+  }
+
+  private static void report(
+      List<JointLink> links, String joint, MessageCode code, String text, Diagnostics diagnostics) {
     links.stream()
         .filter(link -> link.element().required("name").equals(joint))
         .flatMap(link -> link.start().stream())
@@ -74,21 +98,73 @@ public final class MotionCheck {
         .ifPresent(
             element ->
                 diagnostics.error(
-                    MessageCode.MOTION_JUMPS,
-                    element.position(),
-                    Phrase.of("%s: %s", element.label(), text)));
+                    code, element.position(), Phrase.of("%s: %s", element.label(), text)));
+  }
+
+  /** Returns where Euler parameters come near zero between rows of about the same norm. */
+  private static Optional<String> turnsOver(Mechanism mechanism, Expression norm, RunSettings run) {
+    FormulaEvaluation formula = new FormulaEvaluation(List.of(norm));
+    double[] times = times(mechanism, run);
+    double[] norms = new double[times.length];
+    for (int k = 0; k < times.length; k++) {
+      setLeaves(formula, mechanism, times[k]);
+      formula.values();
+      norms[k] = formula.value(0);
+    }
+    double[] behind = new double[norms.length];
+    double most = 0;
+    for (int k = norms.length - 1; k >= 0; k--) {
+      most = Math.max(most, norms[k]);
+      behind[k] = most;
+    }
+    double before = 0;
+    for (int k = 0; k < norms.length; k++) {
+      before = Math.max(before, norms[k]);
+      if (norms[k] < LEAST_NORM * Math.min(before, behind[k])) {
+        return Optional.of(
+            Phrase.of(
+                "the Euler parameters fall to the norm %s near t = %s s, between rows of greater"
+                    + " norm: their signs change from one row of the tables to the next. (e0; e1;"
+                    + " e2; e3) and its negative are one orientation; give each row the sign with"
+                    + " which its scalar product with the row before it is positive",
+                number(norms[k]), number(times[k])));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Returns the places of the formulas in a run, and times between them. */
+  private static double[] times(Mechanism mechanism, RunSettings run) {
+    TreeSet<Double> places = new TreeSet<>(mechanism.timeJumps(run.tStart(), run.tEnd()));
+    places.add(run.tStart());
+    places.add(run.tEnd());
+    List<Double> all = new ArrayList<>();
+    for (double place : places) {
+      if (!all.isEmpty()) {
+        double last = all.get(all.size() - 1);
+        for (int i = 1; i < PARTS; i++) {
+          all.add(last + (place - last) * i / PARTS);
+        }
+      }
+      all.add(place);
+    }
+    return all.stream().mapToDouble(Double::doubleValue).toArray();
+  }
+
+  private static void setLeaves(FormulaEvaluation formula, Mechanism mechanism, double t) {
+    for (int i = 0; i < formula.leaves().size(); i++) {
+      if (formula.leaves().get(i) instanceof Expression.ParameterValue parameter) {
+        formula.setLeaf(i, mechanism.parameters().get(parameter.index()).value(), 0, 0);
+      } else {
+        formula.setLeaf(i, t, 1, 0);
+      }
+    }
   }
 
   private static Optional<String> atStart(
       Mechanism mechanism, List<Expression> coordinates, double t, boolean moves) {
     FormulaEvaluation motion = new FormulaEvaluation(coordinates);
-    for (int i = 0; i < motion.leaves().size(); i++) {
-      if (motion.leaves().get(i) instanceof Expression.ParameterValue parameter) {
-        motion.setLeaf(i, mechanism.parameters().get(parameter.index()).value(), 0, 0);
-      } else {
-        motion.setLeaf(i, t, 1, 0);
-      }
-    }
+    setLeaves(motion, mechanism, t);
     motion.derivatives();
     motion.rates();
     for (int i = 0; i < coordinates.size(); i++) {

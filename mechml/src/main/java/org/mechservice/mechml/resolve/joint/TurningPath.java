@@ -1,11 +1,13 @@
 package org.mechservice.mechml.resolve.joint;
 
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
+import org.mechservice.solver.expression.Expression.TableValue;
 import org.mechservice.solver.symbol.MathFunction;
 
 /**
@@ -77,5 +79,25 @@ final class TurningPath {
     Expression square = sum(numbers.stream().map(n -> new Product(n, n)).toArray(Product[]::new));
     Expression norm = Expression.call(MathFunction.SQRT, List.of(square));
     return numbers.stream().<Expression>map(n -> new Quotient(n, norm)).toList();
+  }
+
+  /**
+   * Returns the norm of four numbers that a path {@linkplain #normalised divides} by it, if some of
+   * them are tables; empty if there are none, and for another motion.
+   *
+   * @param motion coordinates of a joint
+   */
+  static Optional<Expression> normOfTables(List<Expression> motion) {
+    return Optional.of(motion)
+        .filter(coordinates -> coordinates.size() >= 4)
+        .map(coordinates -> coordinates.get(0))
+        .filter(Quotient.class::isInstance)
+        .map(first -> ((Quotient) first).divisor())
+        .filter(TurningPath::hasTable);
+  }
+
+  private static boolean hasTable(Expression part) {
+    return part instanceof TableValue
+        || Expression.operands(part).stream().anyMatch(TurningPath::hasTable);
   }
 }
