@@ -15,14 +15,18 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.Arrays;
 import java.util.HexFormat;
+import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.cli.shell.ExitStatus;
 
@@ -453,5 +457,31 @@ class WholeWayTest {
   void standaloneJarNeedsNoRuntime() {
     assertThat(mech("build", MODEL, "-o", file("p.jar"), "--standalone")).isZero();
     assertThat(out.toString()).contains("runtime JAR (not needed)");
+  }
+
+  /** The parts by purpose are all of the JAR, and each class has its purpose. */
+  @ParameterizedTest
+  @CsvSource({
+    "pendulum/pendulum.xml, ",
+    "pendulum/pendulum.xml, --compact",
+    "elements/event.xml, ",
+    "crane/crane.xml, --compact"
+  })
+  void standaloneJarIsShownByPurpose(String example, @Nullable String compact) throws IOException {
+    List<String> command =
+        Stream.of("build", "../examples/" + example, "-o", file("p.jar"), "--standalone", compact)
+            .filter(Objects::nonNull)
+            .toList();
+    assertThat(mech(command.toArray(String[]::new))).isZero();
+    long shown =
+        out.toString()
+            .lines()
+            .filter(line -> line.startsWith("  "))
+            .mapToLong(line -> Long.parseLong(line.replaceAll(".* (\\d+) B", "$1")))
+            .sum();
+    assertThat(shown).isEqualTo(Files.size(folder.resolve("p.jar")));
+    assertThat(out.toString())
+        .contains("  the model's own", "  messages", "  method of integration")
+        .doesNotContain("  other");
   }
 }

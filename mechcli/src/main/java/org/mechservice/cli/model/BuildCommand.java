@@ -243,8 +243,13 @@ public final class BuildCommand implements Callable<Integer> {
     OutputFile.write(file, source.text().getBytes(StandardCharsets.UTF_8));
   }
 
-  private void print(BuiltJar jar, Path target, long runtimeBytes) {
+  private void print(BuiltJar jar, Path target, long runtimeBytes) throws IOException {
     size(target.toString(), jar.bytes().length);
+    if (standalone) {
+      JarContents contents = JarContents.of(target);
+      contents.bytes().forEach((purpose, bytes) -> size("  " + purpose.label(), bytes));
+      size("  names and places of files", contents.headers());
+    }
     size("model classes, compressed", jar.modelClassBytes());
     size(standalone ? "runtime JAR (not needed)" : "runtime JAR (needed)", runtimeBytes);
     Map<String, String> manifest = jar.manifest();
