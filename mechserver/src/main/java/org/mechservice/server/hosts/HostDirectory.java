@@ -196,8 +196,15 @@ public final class HostDirectory implements AutoCloseable {
     }
   }
 
-  /** Fetches the details of some runs while their host answers. */
+  /**
+   * Fetches the details of some runs while their host answers, to have them when it is gone. Those
+   * of the server's own process would go with it, and a host makes a check report for them.
+   */
   private void readOn(RegisteredHost host) throws UserException {
+    if (host.own()) {
+      runs.leaveUnread(host.name());
+      return;
+    }
     for (int i = 0; i < READ_AT_ONCE; i++) {
       Optional<String> next = runs.takeUnread(host.name());
       if (next.isEmpty()) {

@@ -138,6 +138,7 @@ public final class RegisteredHost {
     if (dropped) {
       return;
     }
+    int more = said.sessions - load.sessions;
     boolean knowsWhatItWasTold = drainingSaidAt == Long.MIN_VALUE || askedAt - drainingSaidAt > 0;
     load = draining(said, knowsWhatItWasTold ? said.draining : load.draining);
     reachable = true;
@@ -145,9 +146,11 @@ public final class RegisteredHost {
     lastSeen = System.currentTimeMillis();
     answeredAt = lastSeen;
     heardAt = System.nanoTime();
-    // The reported load includes sessions placed before.
-    while (!placedAt.isEmpty() && placedAt.peekFirst() - askedAt < 0) {
+    // The reported load includes sessions placed before; and of those placed while it was on its
+    // way at least as many as it has grown by otherwise.
+    while (!placedAt.isEmpty() && (placedAt.peekFirst() - askedAt < 0 || more > 0)) {
       placedAt.removeFirst();
+      more--;
     }
   }
 

@@ -199,6 +199,11 @@ public final class RunRegistry {
     return next;
   }
 
+  /** Forgets which details of a host's runs should be fetched. */
+  synchronized void leaveUnread(String hostName) {
+    page(hostName).unread.clear();
+  }
+
   /** Notes that the details of a run could not be fetched, so that they are once more. */
   synchronized void notRead(String hostName, String simId) {
     page(hostName).unread.add(simId);

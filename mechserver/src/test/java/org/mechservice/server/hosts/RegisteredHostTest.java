@@ -56,6 +56,31 @@ class RegisteredHostTest {
     assertThat(host.open()).isTrue();
   }
 
+  /** A session is counted once, whether the load was asked for before it was placed or after. */
+  @Test
+  void sessionPlacedWhileTheLoadIsAskedForIsCountedOnce() {
+    int free = host.freePlaces();
+    long before = System.nanoTime();
+    host.placed();
+    assertThat(host.freePlaces()).isEqualTo(free - 1);
+    host.answered(IDLE, before);
+    assertThat(host.freePlaces()).as("not in the load yet").isEqualTo(free - 1);
+    host.answered(withSessions(1), before);
+    assertThat(host.freePlaces()).as("in the load").isEqualTo(free - 1);
+    host.placed();
+    host.placed();
+    host.answered(withSessions(2), before);
+    assertThat(host.freePlaces()).isEqualTo(free - 3);
+    host.answered(withSessions(3), System.nanoTime());
+    assertThat(host.freePlaces()).isEqualTo(free - 3);
+    host.answered(IDLE, System.nanoTime());
+    assertThat(host.freePlaces()).isEqualTo(free);
+  }
+
+  private static HostLoad withSessions(int sessions) {
+    return new HostLoad(sessions, 0, 0, 0, 0, false, new NameValue[0]);
+  }
+
   /** An answer may still be on its way, or one question hang. */
   @Test
   void hostThatAnswersOthersOwesNoAnswerThatIsLate() throws InterruptedException {
