@@ -62,13 +62,18 @@ class CyclesTest {
     page.write("service-cycles.md");
   }
 
-  /** Idle threads of pools end after a while, and connections are seen to be closed. */
+  /**
+   * Idle threads of pools end after a while, connections are seen to be closed, and the objects of
+   * the last session go.
+   */
   private static Inside settled(ServiceJvm server) throws Exception {
     Inside last = server.inside();
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 10; i++) {
       Thread.sleep(1000);
       Inside next = server.inside();
-      if (next.threads() >= last.threads() && next.files() >= last.files()) {
+      if (next.threads() >= last.threads()
+          && next.files() >= last.files()
+          && next.objects() >= last.objects()) {
         return next;
       }
       last = next;
