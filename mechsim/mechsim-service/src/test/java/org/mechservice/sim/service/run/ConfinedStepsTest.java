@@ -161,7 +161,7 @@ class ConfinedStepsTest {
     assertLost(begun, "killed from outside, with signal 9");
   }
 
-  /** What is asked first after the loss says it too, and the next step does. */
+  /** The first call after the loss gives the reason, and so does the next step. */
   @Test
   void lossIsToldByEachCall() throws Exception {
     Begun begun = begun(PushedCart.harmlessSource(), LONG);
