@@ -52,6 +52,7 @@ final class JarContents {
     OTHER("other", "");
 
     private final String label;
+
     @SuppressWarnings("ImmutableEnumChecker") // not modifiable
     private final List<String> paths;
 
