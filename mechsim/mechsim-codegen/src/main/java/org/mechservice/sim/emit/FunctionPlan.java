@@ -30,7 +30,7 @@ public final class FunctionPlan {
             List.of("A function and its derivatives; generated."),
             List.of(type),
             false,
-            CodeForm.STRAIGHT);
+            CodeForm.AUTO);
     programs.add(
         new MethodSignature(
             METHOD,

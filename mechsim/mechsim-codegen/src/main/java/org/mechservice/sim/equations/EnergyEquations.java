@@ -6,11 +6,11 @@ import org.mechservice.sim.equations.force.AppliedForces;
 import org.mechservice.sim.equations.force.MassiveRodTerms;
 import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.sim.equations.recursion.VelocityRows;
-import org.mechservice.solver.links.AxesChange;
 import org.mechservice.solver.links.Link;
 import org.mechservice.solver.links.Links;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.step.LinkStep;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
@@ -69,9 +69,9 @@ public final class EnergyEquations {
       Movement movement = named(link, outwards(link, parent));
       movements.add(movement);
       kinetic = kinetic.plus(kinetic(link, movement));
-      ScalarVector center = ScalarVector.of(expressions, link.centerOfMass());
+      ScalarVector center = coordinates.numbers(link, link.centerOfMass());
       Scalar fall = movement.fall().plus(movement.gravity().dot(center));
-      potential = potential.minus(fall.times(link.mass()));
+      potential = potential.minus(fall.times(coordinates.number(link, link.mass())));
       program.named("T_" + link.bodyLabel(), kinetic);
       program.named("U_" + link.bodyLabel(), potential);
     }
@@ -104,13 +104,13 @@ public final class EnergyEquations {
   }
 
   private Movement outwards(Link link, Movement parent) {
-    ScalarVector offset = ScalarVector.of(expressions, link.offset());
-    AxesChange axes = link.axes();
+    ScalarVector offset = coordinates.numbers(link, link.offset());
+    LinkStep step = coordinates.step(link);
     Movement atJoint =
         new Movement(
-            axes.toChild(parent.omega()),
-            axes.toChild(parent.velocity().plus(parent.omega().cross(offset))),
-            axes.toChild(parent.gravity()),
+            step.toChild(parent.omega()),
+            step.toChild(parent.velocity().plus(parent.omega().cross(offset))),
+            step.toChild(parent.gravity()),
             parent.fall().plus(parent.gravity().dot(offset)));
     if (link.isBall()) {
       return link.inverse() ? turnedBack(link, atJoint) : turnedBall(link, atJoint);
@@ -170,7 +170,7 @@ public final class EnergyEquations {
 
   private Scalar kinetic(Link link, Movement movement) {
     ScalarVector omega = movement.omega();
-    ScalarVector center = ScalarVector.of(expressions, link.centerOfMass());
+    ScalarVector center = coordinates.numbers(link, link.centerOfMass());
     ScalarVector velocity = movement.velocity().plus(omega.cross(center));
     InertiaTensor inertia = link.inertia();
     double[][] tensor = {
@@ -178,9 +178,12 @@ public final class EnergyEquations {
       {inertia.xy(), inertia.yy(), inertia.yz()},
       {inertia.xz(), inertia.yz(), inertia.zz()}
     };
-    ScalarMatrix half = ScalarMatrix.of((i, j) -> expressions.constant(tensor[i][j] / 2));
+    ScalarMatrix half = ScalarMatrix.of((i, j) -> coordinates.number(link, tensor[i][j] / 2));
     Scalar energy =
-        velocity.dot(velocity).times(link.mass() / 2).plus(omega.dot(half.times(omega)));
+        velocity
+            .dot(velocity)
+            .times(coordinates.number(link, link.mass() / 2))
+            .plus(omega.dot(half.times(omega)));
     return link.armature() == 0 ? energy : energy.plus(kineticOfArmature(link));
   }
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.solver.symbol.Differentiation;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.ReverseDifferentiation;
@@ -116,6 +117,10 @@ public final class DifferentiableFunction {
   /** Returns the derivatives of the outputs along a direction, into a program. */
   private void tangents(Program into, Map<Scalar, Scalar> rates, int from) {
     Differentiation along = new Differentiation(program.expressions(), rates);
+    if (program.operationCount() >= CodeForm.LEAST_OPERATIONS) {
+      along.sections(program, into);
+      into.section("Derivatives of the outputs.", "d");
+    }
     outputs.forEach((index, node) -> into.output(from + index, along.of(node)));
   }
 
@@ -231,7 +236,14 @@ public final class DifferentiableFunction {
       more.section("Derivatives of the weighted sum.", "adjoint");
       Map<Scalar, Scalar> sum = new HashMap<>();
       outputs.forEach((index, node) -> sum.merge(node, input(inputs + index), Scalar::plus));
-      ReverseDifferentiation slopes = new ReverseDifferentiation(program.expressions(), sum);
+      boolean isLong = program.operationCount() >= CodeForm.LEAST_OPERATIONS;
+      ReverseDifferentiation slopes =
+          isLong
+              ? ReverseDifferentiation.sections(program, sum, more)
+              : new ReverseDifferentiation(program.expressions(), sum);
+      if (isLong) {
+        more.section("Derivatives by the inputs.", "by");
+      }
       for (int i = 0; i < inputs; i++) {
         more.output(i, slopes.by(input(i)));
       }

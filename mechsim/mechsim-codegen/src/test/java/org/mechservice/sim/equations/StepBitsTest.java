@@ -31,6 +31,16 @@ class StepBitsTest {
     assertThat(moved).isGreaterThan(TREES);
   }
 
+  /** Equations of large trees keep zeros and ones of links that few others have. */
+  @ParameterizedTest
+  @ValueSource(ints = {61, 150})
+  void accelerationsAndResidualsOfLargeTrees(int bodies) {
+    for (int seed = 1; seed <= 2; seed++) {
+      assertSameBits(RandomTrees.ofAllJoints(seed, bodies), new Random(seed));
+      assertSameBits(RandomTrees.tree(seed, bodies), new Random(seed));
+    }
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"pend5", "pend5s", "driver41", "chain200"})
   void accelerationsAndResidualsOfTheTimingModels(String name) {

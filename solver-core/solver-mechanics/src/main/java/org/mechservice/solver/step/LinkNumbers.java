@@ -1,6 +1,8 @@
 package org.mechservice.solver.step;
 
+import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 import java.util.function.IntFunction;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.links.Link;
@@ -83,20 +85,33 @@ public record LinkNumbers(
 
   /** Returns a link's numbers as constants. */
   public static LinkNumbers of(Expressions expressions, Link link) {
-    double[] numbers = new double[COUNT];
-    StepBlock.put(numbers, 0, link);
-    LinkNumbers all =
-        of(link.kind(), link.inverse(), expressions, k -> expressions.constant(numbers[k]));
-    return all.armed(expressions.constant(link.armature()))
+    return of(expressions, link, expressions::constant);
+  }
+
+  /**
+   * Returns a link's numbers.
+   *
+   * @param scalar returns a number as a scalar
+   */
+  public static LinkNumbers of(Expressions expressions, Link link, DoubleFunction<Scalar> scalar) {
+    Scalar[] numbers = Arrays.stream(values(link)).mapToObj(scalar).toArray(Scalar[]::new);
+    Scalar armature = link.armature() == 0 ? expressions.zero() : scalar.apply(link.armature());
+    return of(link.kind(), link.inverse(), expressions, k -> numbers[k])
+        .armed(armature)
         .turned(
             link.axes()
                 .turn()
                 .map(
                     turn ->
                         new Turn(
-                            turn.axis(),
-                            expressions.constant(turn.cosine()),
-                            expressions.constant(turn.sine()))));
+                            turn.axis(), scalar.apply(turn.cosine()), scalar.apply(turn.sine()))));
+  }
+
+  /** Returns the {@link #COUNT} numbers of a link in doubles. */
+  public static double[] values(Link link) {
+    double[] numbers = new double[COUNT];
+    StepBlock.put(numbers, 0, link);
+    return numbers;
   }
 
   /** Returns the numbers of a constant turn about a coordinate axis, a step without mass. */

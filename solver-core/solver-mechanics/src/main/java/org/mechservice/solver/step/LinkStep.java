@@ -345,7 +345,12 @@ public final class LinkStep {
         : joint.ballRotation().transposed().times(known);
   }
 
-  private ScalarVector toChild(ScalarVector v) {
+  /**
+   * Returns a vector of the parent's axes in those of the link before its joint moves.
+   *
+   * @param v in the parent's computing axes
+   */
+  public ScalarVector toChild(ScalarVector v) {
     ScalarVector before =
         numbers
             .turn()

@@ -53,6 +53,32 @@ public final class Differentiation {
     return known(value);
   }
 
+  /**
+   * Derives the rates of all values of a program, those of each section in one of their own, so
+   * that sections which compute the same have rates that compute the same.
+   *
+   * @param into a program of the same graph, after whose sections the new ones come
+   */
+  public void sections(Program program, Program into) {
+    int[] uses = program.uses();
+    List<Program.Section> sections = program.sections();
+    int end = uses.length;
+    int[] next = new int[sections.size()];
+    for (int s = sections.size() - 1; s >= 0; s--) {
+      next[s] = end;
+      end = sections.get(s).firstNode();
+    }
+    for (int s = 0; s < next.length; s++) {
+      Program.Section section = sections.get(s);
+      into.section("Rates of: " + section.title(), section.subject());
+      for (int id = section.firstNode(); id < next[s]; id++) {
+        if (uses[id] > 0) {
+          of(expressions.node(id));
+        }
+      }
+    }
+  }
+
   private Scalar known(Scalar node) {
     return rates.getOrDefault(node, expressions.zero());
   }

@@ -1,6 +1,7 @@
 package org.mechservice.solver.symbol;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +23,8 @@ public final class Expressions {
    * constant. Never full.
    */
   private Scalar[] known = new Scalar[FIRST_CAPACITY];
+
+  private final List<Double> numbers = new ArrayList<>();
 
   /** Nodes of functions by their arguments and the function. */
   private final Map<List<Object>, Scalar> calls = new HashMap<>();
@@ -50,6 +53,39 @@ public final class Expressions {
     }
     double number = value == 0 ? 0 : value;
     return leaf(ScalarOperation.CONSTANT, Double.doubleToRawLongBits(number), number, 0);
+  }
+
+  /**
+   * Returns a number that no simplification looks at: a node of its own, kept as an operand also
+   * where it is 0 or 1. Equations of many things alike have the same form with such numbers,
+   * whatever these are, and values with the same bits as with constants.
+   *
+   * @throws ArithmeticException if it is not finite
+   */
+  public Scalar number(double value) {
+    if (!Double.isFinite(value)) {
+      throw new ArithmeticException("number " + value + " is not finite");
+    }
+    return number(value == 0 ? 0 : value, numbers.size());
+  }
+
+  private Scalar number(double value, int index) {
+    long bits = Double.doubleToRawLongBits(value);
+    int place = place(ScalarOperation.CONSTANT, bits, index);
+    Scalar node = known[place];
+    if (node == null) {
+      while (numbers.size() <= index) {
+        numbers.add(0.0);
+      }
+      numbers.set(index, value);
+      node = add(place, ScalarOperation.CONSTANT, List.of(), bits, index, value, index);
+    }
+    return node;
+  }
+
+  /** Returns the values of its {@linkplain #number numbers} by their index, a view. */
+  public List<Double> numbers() {
+    return Collections.unmodifiableList(numbers);
   }
 
   /** Returns the number given as input {@code index}. */
@@ -162,7 +198,8 @@ public final class Expressions {
 
   private Scalar sameOf(Scalar node, List<Scalar> operands) {
     return switch (node.operation()) {
-      case CONSTANT -> constant(node.value());
+      case CONSTANT ->
+          node.isConstant() ? constant(node.value()) : number(node.value(), node.index());
       case INPUT -> input(node.index());
       case FUNCTION -> call(node.function(), node.fixed(), operands);
       case NEGATE, SQUARE_ROOT, SINE, COSINE -> unary(node.operation(), operands.get(0));

@@ -121,7 +121,7 @@ public final class Program {
   public Scalar named(String name, Scalar value) {
     if (value.operation() == ScalarOperation.NEGATE) {
       named("minus_" + name, value.first());
-    } else if (!value.isConstant()) {
+    } else if (!value.isNumber()) {
       names.putIfAbsent(value, name);
     }
     return value;

@@ -53,6 +53,6 @@ public final class ProgramSlots {
 
   /** Returns what the slots hold before a run: the constants, zero elsewhere. */
   public double[] initial() {
-    return used.stream().mapToDouble(node -> node.isConstant() ? node.value() : 0).toArray();
+    return used.stream().mapToDouble(node -> node.isNumber() ? node.value() : 0).toArray();
   }
 }

@@ -1,10 +1,13 @@
 package org.mechservice.solver.symbol;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.IntConsumer;
 
 /**
  * The gradient of a weighted sum of expressions by every node below them: reverse mode. For values
@@ -33,11 +36,17 @@ public final class ReverseDifferentiation {
    *     not modified
    */
   public ReverseDifferentiation(Expressions expressions, Map<Scalar, Scalar> weights) {
+    this(expressions, weights, id -> {});
+  }
+
+  private ReverseDifferentiation(
+      Expressions expressions, Map<Scalar, Scalar> weights, IntConsumer before) {
     this.expressions = expressions;
     this.slopes = new HashMap<>(weights);
     int last = weights.keySet().stream().mapToInt(Scalar::id).max().orElse(-1);
     // an operand is older than what is made of it, so every slope is complete when it is used
     for (int id = last; id >= 0; id--) {
+      before.accept(id);
       Scalar node = expressions.node(id);
       Scalar slope = by(node);
       if (!slope.isZero()) {
@@ -46,13 +55,36 @@ public final class ReverseDifferentiation {
     }
   }
 
+  /**
+   * Records the derivatives for values of a program, by those of each section in one of their own,
+   * so that sections which compute the same have derivatives that compute the same.
+   *
+   * @param into a program of the same graph, after whose sections the new ones come
+   */
+  public static ReverseDifferentiation sections(
+      Program program, Map<Scalar, Scalar> weights, Program into) {
+    Deque<Program.Section> left = new ArrayDeque<>(program.sections());
+    return new ReverseDifferentiation(
+        program.expressions(),
+        weights,
+        id -> {
+          while (!left.isEmpty() && id < left.getLast().firstNode()) {
+            left.removeLast();
+            if (!left.isEmpty()) {
+              Program.Section section = left.getLast();
+              into.section("Derivatives by: " + section.title(), section.subject());
+            }
+          }
+        });
+  }
+
   /** Returns the derivative of the weighted sum by a node; 0 if it does not depend on the node. */
   public Scalar by(Scalar node) {
     return slopes.getOrDefault(node, expressions.zero());
   }
 
   private void add(Scalar operand, Scalar slope) {
-    if (!operand.isConstant()) {
+    if (!operand.isNumber()) {
       slopes.merge(operand, slope, Scalar::plus);
     }
   }
@@ -112,7 +144,7 @@ public final class ReverseDifferentiation {
       return;
     }
     for (int i = 0; i < node.operands().size(); i++) {
-      if (!node.operands().get(i).isConstant()) {
+      if (!node.operands().get(i).isNumber()) {
         add(node.operands().get(i), product(guarded, node.function().slope(node, i), slope));
       }
     }

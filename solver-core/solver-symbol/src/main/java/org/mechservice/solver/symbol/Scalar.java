@@ -136,13 +136,21 @@ public final class Scalar {
     return fixed;
   }
 
-  /** Returns the index of an {@link ScalarOperation#INPUT}. */
+  /**
+   * Returns the index of an {@link ScalarOperation#INPUT}, or that of a {@linkplain
+   * Expressions#number number} among those of the graph.
+   */
   public int index() {
     return index;
   }
 
-  /** Returns whether it is a constant. */
+  /** Returns whether it is a constant that simplifications look at. */
   public boolean isConstant() {
+    return operation == ScalarOperation.CONSTANT && secondIdentity < 0;
+  }
+
+  /** Returns whether it is a constant or a {@linkplain Expressions#number number}. */
+  public boolean isNumber() {
     return operation == ScalarOperation.CONSTANT;
   }
 

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.symbol.Differentiation;
 import org.mechservice.solver.symbol.Expressions;
@@ -111,8 +112,11 @@ final class CTangents {
               section.readsAnew()));
     }
     Program more = program.in(sections);
-    more.section("Derivative along a direction.", "d");
     Differentiation along = new Differentiation(e, rates);
+    if (program.operationCount() >= CodeForm.LEAST_OPERATIONS) {
+      along.sections(program, more);
+    }
+    more.section("Derivative along a direction.", "d");
     outputs.forEach((index, node) -> more.output(index, along.of(node)));
     return more;
   }

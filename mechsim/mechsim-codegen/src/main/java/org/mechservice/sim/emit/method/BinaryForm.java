@@ -110,7 +110,7 @@ public record BinaryForm(ScalarOperation operation, Term first, Term second) {
     if (place instanceof ValueLocation.Constant number) {
       return OptionalDouble.of(number.value());
     }
-    return place == null && node.isConstant()
+    return place == null && node.isNumber()
         ? OptionalDouble.of(node.value())
         : OptionalDouble.empty();
   }

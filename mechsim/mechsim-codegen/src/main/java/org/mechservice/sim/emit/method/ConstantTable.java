@@ -2,18 +2,20 @@ package org.mechservice.sim.emit.method;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import org.mechservice.solver.spatial.NumberTable;
+import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.NumberRow;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
- * The numbers of a class that are no literals: the constants in which calls of one method differ,
- * and the rows that programs search, each once.
+ * The numbers of a class that are no literals: the numbers of links and the constants in which
+ * calls of one method differ, and the rows that programs search, each once.
  */
 public final class ConstantTable {
   /** The class of the solver that reads the table from its texts. */
@@ -30,6 +32,9 @@ public final class ConstantTable {
 
   private final List<Double> numbers = new ArrayList<>();
   private final Map<NumberRow, Integer> rows = new HashMap<>();
+
+  /** Where the numbers of graphs begin. */
+  private final Map<Expressions, Integer> graphs = new IdentityHashMap<>();
 
   /** Appends numbers and returns where the first of them is. */
   public int add(List<Double> row) {
@@ -57,6 +62,14 @@ public final class ConstantTable {
     return numbers.size() - row.size();
   }
 
+  /**
+   * Appends the {@linkplain Expressions#number numbers} of a graph, unless they are here already,
+   * and returns where the first of them is.
+   */
+  public int addNumbers(Expressions graph) {
+    return graphs.computeIfAbsent(graph, key -> add(key.numbers()));
+  }
+
   /** Returns where the first number of a row is. */
   public int placeOf(NumberRow row) {
     return Objects.requireNonNull(rows.get(row), "a row that was not added");
@@ -65,6 +78,7 @@ public final class ConstantTable {
   /** Removes the constants added beyond a size, which no row is. */
   public void cutBack(int size) {
     numbers.subList(size, numbers.size()).clear();
+    graphs.values().removeIf(start -> start >= size);
   }
 
   public boolean isEmpty() {

@@ -49,6 +49,7 @@ final class KernelBody {
   private final MethodPlan section;
   private final MethodSignature head;
   private final Expressions common;
+  private final int numbersAt;
   private final Addresses addresses;
   private final List<Integer> operands = new ArrayList<>();
   private final List<Double> constants = new ArrayList<>();
@@ -58,8 +59,13 @@ final class KernelBody {
   private int leaves;
 
   private KernelBody(
-      MethodPlan section, MethodSignature head, Expressions common, Addresses addresses) {
+      MethodPlan section,
+      MethodSignature head,
+      Expressions common,
+      int numbersAt,
+      Addresses addresses) {
     this.section = section;
+    this.numbersAt = numbersAt;
     this.head = head;
     this.common = common;
     this.addresses = addresses;
@@ -71,16 +77,18 @@ final class KernelBody {
    * @param section the method of one section
    * @param head the method that runs the program
    * @param common the graph that all sections share
+   * @param numbersAt where the numbers of the program's graph begin in the table of constants
    */
-  static KernelBody of(MethodPlan section, MethodSignature head, Expressions common) {
-    KernelBody body = new KernelBody(section, head, common, SHAPE);
+  static KernelBody of(
+      MethodPlan section, MethodSignature head, Expressions common, int numbersAt) {
+    KernelBody body = new KernelBody(section, head, common, numbersAt, SHAPE);
     body.write();
     return body;
   }
 
   /** Returns the method shared by this section and equal ones, with a remark. */
   MethodPlan method(Addresses shared, int parameters, String remark) {
-    KernelBody body = new KernelBody(section, head, common, shared);
+    KernelBody body = new KernelBody(section, head, common, numbersAt, shared);
     body.write();
     List<Statement> remarked = new ArrayList<>();
     remarked.add(new Statement.Comment(title() + remark));
@@ -110,7 +118,7 @@ final class KernelBody {
   }
 
   private void write() {
-    for (Statement statement : section.statements()) {
+    for (Statement statement : LoadOrder.byFirstUse(section)) {
       if (statement instanceof Statement.Load load) {
         Scalar leaf = leaf(outside(load.from()));
         statements.add(new Statement.Load(leaf, placeOf(leaf), load.again()));
@@ -200,7 +208,9 @@ final class KernelBody {
   }
 
   private Scalar operation(Scalar node) {
-    if (node.operation() == ScalarOperation.CONSTANT) {
+    if (node.isNumber() && !node.isConstant()) {
+      return leaf(new ValueLocation.Element(ConstantTable.NAME, operand(numbersAt + node.index())));
+    } else if (node.isNumber()) {
       constants.add(node.value());
       return leaf(addresses.constant(constants.size() - 1));
     } else if (node.operation() == ScalarOperation.INPUT) {

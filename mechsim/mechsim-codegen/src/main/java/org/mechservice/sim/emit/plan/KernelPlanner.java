@@ -1,12 +1,11 @@
 package org.mechservice.sim.emit.plan;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.stream.IntStream;
 import org.mechservice.sim.emit.method.CallSequence;
 import org.mechservice.sim.emit.method.CodeSize;
@@ -32,6 +31,7 @@ final class KernelPlanner {
   private final MethodSignature head;
   private final ConstantTable table;
   private final int limit;
+  private final int numbersAt;
   private final Expressions common = new Expressions();
   private final List<MethodPlan> methods = new ArrayList<>();
   private final List<CallSequence.Call> calls = new ArrayList<>();
@@ -43,6 +43,7 @@ final class KernelPlanner {
     this.head = head;
     this.table = table;
     this.limit = limit;
+    this.numbersAt = table.addNumbers(program.expressions());
   }
 
   /**
@@ -65,8 +66,7 @@ final class KernelPlanner {
     int sections = program.sections().size();
     int[] alone = IntStream.range(0, sections).toArray();
     List<MethodPlan> single = new MethodPlanner(program, usage, alone, false).methods();
-    Set<MethodPlan> shared = shared(single);
-    int[] chunks = chunks(single, shared);
+    int[] chunks = chunks(single, shared(single));
     MethodPlanner planner = new MethodPlanner(program, usage, chunks, false);
     write(planner.methods());
     return new ProgramPlan(
@@ -74,18 +74,19 @@ final class KernelPlanner {
   }
 
   private MethodPlan shape(MethodPlan method) {
-    return KernelBody.of(method, head, common).shape();
+    return KernelBody.of(method, head, common, numbersAt).shape();
   }
 
-  /** Returns the shapes that several sections have. */
-  private Set<MethodPlan> shared(List<MethodPlan> single) {
-    Set<MethodPlan> met = new HashSet<>();
-    Set<MethodPlan> shared = new HashSet<>();
-    for (MethodPlan method : single) {
-      if (CodeSize.of(method) >= SHORTEST_KERNEL) {
-        MethodPlan shape = shape(method);
-        if (!met.add(shape)) {
-          shared.add(shape);
+  /** Returns the sections whose shape another one has, too. */
+  private BitSet shared(List<MethodPlan> single) {
+    Map<MethodPlan, Integer> met = new HashMap<>();
+    BitSet shared = new BitSet();
+    for (int section = 0; section < single.size(); section++) {
+      if (CodeSize.of(single.get(section)) >= SHORTEST_KERNEL) {
+        Integer first = met.putIfAbsent(shape(single.get(section)), section);
+        if (first != null) {
+          shared.set(first);
+          shared.set(section);
         }
       }
     }
@@ -96,7 +97,7 @@ final class KernelPlanner {
    * Returns the method of each section: one for each shared section, and one for consecutive others
    * up to a limit.
    */
-  private int[] chunks(List<MethodPlan> single, Set<MethodPlan> shared) {
+  private int[] chunks(List<MethodPlan> single, BitSet shared) {
     int[] chunks = new int[single.size()];
     int chunk = -1;
     // above the limit a new method begins
@@ -104,7 +105,7 @@ final class KernelPlanner {
     int filled = full;
     for (int section = 0; section < chunks.length; section++) {
       int bytes = CodeSize.of(single.get(section));
-      boolean alone = bytes >= SHORTEST_KERNEL && shared.contains(shape(single.get(section)));
+      boolean alone = shared.get(section);
       if (alone || filled + bytes > limit) {
         chunk++;
         filled = 0;
@@ -119,7 +120,7 @@ final class KernelPlanner {
     Map<MethodPlan, List<KernelBody>> alike = new LinkedHashMap<>();
     List<KernelBody> bodies = new ArrayList<>();
     for (MethodPlan chunk : chunks) {
-      KernelBody body = KernelBody.of(chunk, head, common);
+      KernelBody body = KernelBody.of(chunk, head, common, numbersAt);
       bodies.add(body);
       alike.computeIfAbsent(body.shape(), key -> new ArrayList<>()).add(body);
     }

@@ -7,6 +7,7 @@ import org.mechservice.solver.links.Labels;
 import org.mechservice.solver.links.Link;
 import org.mechservice.solver.links.Links;
 import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.step.EulerParameterTerms;
 import org.mechservice.solver.step.JointTerms;
 import org.mechservice.solver.step.LinkNumbers;
@@ -29,6 +30,7 @@ public final class Coordinates {
   private final IdentityHashMap<Link, ScalarMatrix> rotations = new IdentityHashMap<>();
   private final IdentityHashMap<Link, LinkStep> steps = new IdentityHashMap<>();
   private final int derivative;
+  private final LinkForms forms;
 
   /** Creates coordinates with zero joint accelerations, except those of driven joints. */
   public Coordinates(Program program, Links links) {
@@ -46,6 +48,7 @@ public final class Coordinates {
     this.byTime =
         new Differentiation(
             expressions, Map.of(expressions.input(Program.TIME), expressions.one()));
+    this.forms = new LinkForms(expressions, links.links());
     nameParameters(links.mechanism().parameters());
   }
 
@@ -171,10 +174,26 @@ public final class Coordinates {
     return known;
   }
 
+  /**
+   * Returns a number of a link as a scalar, in the form in which the equations of that link are
+   * written.
+   */
+  public Scalar number(Link link, double value) {
+    return forms.numbers(link).apply(value);
+  }
+
+  /** Returns a vector of a link in scalars, likewise. */
+  public ScalarVector numbers(Link link, Vector3 v) {
+    return new ScalarVector(number(link, v.x()), number(link, v.y()), number(link, v.z()));
+  }
+
   /** Returns the step from a link's parent to the link and back. */
   public LinkStep step(Link link) {
     return steps.computeIfAbsent(
-        link, key -> new LinkStep(expressions, LinkNumbers.of(expressions, key), new Terms(key)));
+        link,
+        key ->
+            new LinkStep(
+                expressions, LinkNumbers.of(expressions, key, forms.numbers(key)), new Terms(key)));
   }
 
   /** The coordinates of a link's joint. */

@@ -27,6 +27,7 @@ import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.mechanism.Mechanism;
 
 /**
  * Derivatives of x' in C: of open chains they are the bits of the tangents on the Java machine, and
@@ -131,9 +132,13 @@ class TangentsInCTest {
   }
 
   private void compareTree(int seed, int states, List<String> flags) throws IOException {
-    MechmlModel model =
-        Scenes.model(
-            RandomMechmlForces.on(RandomMechmlTrees.ofAllJoints(seed, 2 + seed % 5), seed));
+    Mechanism tree = RandomMechmlTrees.ofAllJoints(seed, 2 + seed % 5);
+    compareTree(seed, RandomMechmlForces.on(tree, seed), states, flags);
+  }
+
+  private void compareTree(int seed, Mechanism tree, int states, List<String> flags)
+      throws IOException {
+    MechmlModel model = Scenes.model(tree);
     CModel inC = ModelFactory.inC(model, options());
     int n = inC.states().size();
     VariationalEquations java =
@@ -172,6 +177,13 @@ class TangentsInCTest {
       // Optimising takes nearly all of the time; in the long run all are.
       compareTree(seed, 10, seed == 1 ? CCode.FAST : CCode.PLAIN);
     }
+  }
+
+  /** Its code is of methods that links of a kind share. */
+  @Test
+  void jacobianOfALargeTreeHasTheBitsOfJava() throws IOException {
+    CCode.compiler();
+    compareTree(1, RandomMechmlTrees.tree(1, 64), 1, CCode.PLAIN);
   }
 
   @Tag("soak")
