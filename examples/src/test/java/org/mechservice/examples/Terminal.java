@@ -14,8 +14,11 @@ import java.util.function.BooleanSupplier;
 
 /** Runs commands in a directory and keeps their output. */
 final class Terminal {
-  /** Time limit of a command, far above the duration of every command of these tests. */
-  private static final Duration PATIENCE = Duration.ofMinutes(5);
+  /**
+   * Time limit of a command, far above the duration of every command of these tests: a film that is
+   * drawn in software takes five minutes beside ten other builds.
+   */
+  private static final Duration PATIENCE = Duration.ofMinutes(20);
 
   private final Path directory;
 
