@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodSignature;
-import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.emit.plan.CodeLayout;
 import org.mechservice.sim.emit.plan.ProgramPlan;
 import org.mechservice.sim.emit.source.ProgramPrinter;
@@ -116,7 +115,7 @@ final class CPrograms {
     state.add(argument("x", 0));
     state.addAll(List.of(further));
     MethodSignature head = new MethodSignature(function, state, output, returnsResult, false);
-    parts.add(new Part(head, CodeLayout.plan(program, head, CodeForm.AUTO, constants)));
+    parts.add(new Part(head, CodeLayout.inC(program, head, constants)));
   }
 
   /** Returns the length of the workspace that an instance needs. */

@@ -2,6 +2,7 @@ package org.mechservice.sim.emit.plan;
 
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.function.Supplier;
 import org.mechservice.sim.emit.method.CodeSize;
 import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodSignature;
@@ -23,7 +24,7 @@ public final class CodeLayout {
   private CodeLayout() {}
 
   /**
-   * Plans a program.
+   * Plans a program for the virtual machine, whose compiler takes methods up to a length.
    *
    * @param head the method that runs it
    * @param form the requested form
@@ -37,15 +38,28 @@ public final class CodeLayout {
       case STRAIGHT -> StraightLinePlanner.plan(program, table);
       case SHARED -> KernelPlanner.plan(program, head, table);
       case AUTO ->
-          program.operationCount() < CodeForm.LEAST_OPERATIONS
+          isShort(program)
               ? StraightLinePlanner.plan(program, table)
-              : shorter(program, head, table);
+              : shorter(program, table, () -> KernelPlanner.plan(program, head, table));
     };
   }
 
-  private static ProgramPlan shorter(Program program, MethodSignature head, ConstantTable table) {
+  /** Plans a program in the form that suits it, for C; arguments as for {@link #plan}. */
+  public static ProgramPlan inC(Program program, MethodSignature head, ConstantTable table) {
+    table.addRows(program);
+    return isShort(program)
+        ? StraightLinePlanner.plan(program, table)
+        : shorter(program, table, () -> KernelPlanner.inC(program, head, table));
+  }
+
+  private static boolean isShort(Program program) {
+    return program.operationCount() < CodeForm.LEAST_OPERATIONS;
+  }
+
+  private static ProgramPlan shorter(
+      Program program, ConstantTable table, Supplier<ProgramPlan> kernels) {
     int before = table.size();
-    ProgramPlan shared = KernelPlanner.plan(program, head, table);
+    ProgramPlan shared = kernels.get();
     double straight = Arrays.stream(CodeSize.ofSections(program, shared.usage())).sum();
     double gain = straight / shared.codeBytes();
     if (gain >= LEAST_GAIN) {

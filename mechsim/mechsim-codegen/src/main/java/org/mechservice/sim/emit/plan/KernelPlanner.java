@@ -62,6 +62,12 @@ final class KernelPlanner {
         });
   }
 
+  /** Plans a program for C, where a function may be of any length; arguments as above. */
+  static ProgramPlan inC(Program whole, MethodSignature head, ConstantTable table) {
+    int limit = StraightLinePlanner.METHOD_BYTES;
+    return new KernelPlanner(SectionSplitter.divided(whole, limit), head, table, limit).plan();
+  }
+
   private ProgramPlan plan() {
     int sections = program.sections().size();
     int[] alone = IntStream.range(0, sections).toArray();

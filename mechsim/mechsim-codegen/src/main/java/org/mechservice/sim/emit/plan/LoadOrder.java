@@ -65,7 +65,7 @@ final class LoadOrder {
   private void use(Scalar value) {
     Deque<Scalar> open = new ArrayDeque<>();
     open.push(value);
-    while (!open.isEmpty()) {
+    while (!open.isEmpty() && !loads.isEmpty()) {
       Scalar node = open.pop();
       if (!met.add(node)) {
         continue;
