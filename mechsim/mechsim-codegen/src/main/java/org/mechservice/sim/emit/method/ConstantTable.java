@@ -34,7 +34,7 @@ public final class ConstantTable {
   private final Map<NumberRow, Integer> rows = new HashMap<>();
 
   /** Where the numbers of graphs begin. */
-  private final Map<Expressions, Integer> graphs = new IdentityHashMap<>();
+  private final IdentityHashMap<Expressions, Integer> graphs = new IdentityHashMap<>();
 
   /** Appends numbers and returns where the first of them is. */
   public int add(List<Double> row) {
