@@ -36,7 +36,7 @@ public final class ArticulatedBodyEquations {
   ArticulatedBodyEquations(Program program, Links mechanism) {
     this.program = program;
     this.mechanism = mechanism;
-    this.coordinates = new Coordinates(program, mechanism);
+    this.coordinates = new Coordinates(program, mechanism).inSharedForms(mechanism);
   }
 
   /**

@@ -44,7 +44,7 @@ public final class EnergyEquations {
 
   private EnergyEquations(Links mechanism) {
     this.mechanism = MassiveRodTerms.withEnds(mechanism);
-    this.coordinates = new Coordinates(program, mechanism);
+    this.coordinates = new Coordinates(program, mechanism).inSharedForms(this.mechanism);
   }
 
   /**

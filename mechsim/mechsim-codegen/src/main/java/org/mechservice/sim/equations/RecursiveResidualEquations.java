@@ -30,7 +30,7 @@ public final class RecursiveResidualEquations {
   private RecursiveResidualEquations(Links mechanism) {
     this.mechanism = mechanism;
     this.stateCount = mechanism.mechanism().stateCount();
-    this.coordinates = new Coordinates(program, mechanism, stateCount);
+    this.coordinates = new Coordinates(program, mechanism, stateCount).inSharedForms(mechanism);
   }
 
   /**

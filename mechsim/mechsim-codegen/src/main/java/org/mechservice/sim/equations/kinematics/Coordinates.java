@@ -3,6 +3,8 @@ package org.mechservice.sim.equations.kinematics;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleFunction;
+import java.util.function.Function;
 import org.mechservice.solver.links.Labels;
 import org.mechservice.solver.links.Link;
 import org.mechservice.solver.links.Links;
@@ -30,7 +32,7 @@ public final class Coordinates {
   private final IdentityHashMap<Link, ScalarMatrix> rotations = new IdentityHashMap<>();
   private final IdentityHashMap<Link, LinkStep> steps = new IdentityHashMap<>();
   private final int derivative;
-  private final LinkForms forms;
+  private Function<Link, DoubleFunction<Scalar>> forms;
 
   /** Creates coordinates with zero joint accelerations, except those of driven joints. */
   public Coordinates(Program program, Links links) {
@@ -48,8 +50,17 @@ public final class Coordinates {
     this.byTime =
         new Differentiation(
             expressions, Map.of(expressions.input(Program.TIME), expressions.one()));
-    this.forms = new LinkForms(expressions, links.links());
+    this.forms = link -> expressions::constant;
     nameParameters(links.mechanism().parameters());
+  }
+
+  /**
+   * Writes the equations of the links of a large mechanism so that many share a form ({@link
+   * LinkForms}): for recursions, whose sections each belong to one link. Returns this.
+   */
+  public Coordinates inSharedForms(Links links) {
+    forms = new LinkForms(expressions, links.links())::numbers;
+    return this;
   }
 
   private void nameParameters(List<Parameter> parameters) {
@@ -179,7 +190,7 @@ public final class Coordinates {
    * written.
    */
   public Scalar number(Link link, double value) {
-    return forms.numbers(link).apply(value);
+    return forms.apply(link).apply(value);
   }
 
   /** Returns a vector of a link in scalars, likewise. */
@@ -193,7 +204,7 @@ public final class Coordinates {
         link,
         key ->
             new LinkStep(
-                expressions, LinkNumbers.of(expressions, key, forms.numbers(key)), new Terms(key)));
+                expressions, LinkNumbers.of(expressions, key, forms.apply(key)), new Terms(key)));
   }
 
   /** The coordinates of a link's joint. */
