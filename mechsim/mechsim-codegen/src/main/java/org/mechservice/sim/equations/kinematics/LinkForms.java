@@ -25,13 +25,12 @@ import org.mechservice.solver.symbol.Scalar;
  */
 final class LinkForms {
   /** Links of a mechanism up to which each is written with its own zeros and ones. */
-  private static final int FEW_LINKS = 60;
+  private static final int FEW_LINKS = 100;
 
   /** Links with zeros and ones at the same places that are written with them. */
-  private static final int MANY_ALIKE = 20;
+  private static final int MANY_ALIKE = 12;
 
   private final Expressions expressions;
-  private final boolean isLarge;
   private final Set<Link> alone = Collections.newSetFromMap(new IdentityHashMap<>());
 
   /**
@@ -39,8 +38,7 @@ final class LinkForms {
    */
   LinkForms(Expressions expressions, List<Link> links) {
     this.expressions = expressions;
-    isLarge = links.size() > FEW_LINKS;
-    if (isLarge) {
+    if (links.size() > FEW_LINKS) {
       Map<List<Object>, List<Link>> alike = new HashMap<>();
       for (Link link : links) {
         alike.computeIfAbsent(pattern(link), key -> new ArrayList<>()).add(link);
@@ -67,13 +65,12 @@ final class LinkForms {
 
   /** Returns how the numbers of a link become scalars. */
   DoubleFunction<Scalar> numbers(Link link) {
-    if (!isLarge) {
+    if (!alone.contains(link)) {
       return expressions::constant;
     }
-    if (alone.contains(link)) {
-      return expressions::number;
-    }
-    return number ->
-        isZeroOrOne(number) ? expressions.constant(number) : expressions.number(number);
+    // the links within a joint of several freedoms have no mass, and all their zeros are alike
+    return link.mass() == 0
+        ? number -> number == 0 ? expressions.zero() : expressions.number(number)
+        : expressions::number;
   }
 }

@@ -183,7 +183,7 @@ class TangentsInCTest {
   @Test
   void jacobianOfALargeTreeHasTheBitsOfJava() throws IOException {
     CCode.compiler();
-    compareTree(1, RandomMechmlTrees.tree(1, 64), 1, CCode.PLAIN);
+    compareTree(1, RandomMechmlTrees.tree(1, 104), 1, CCode.PLAIN);
   }
 
   @Tag("soak")
