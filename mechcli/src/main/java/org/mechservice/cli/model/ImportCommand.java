@@ -120,7 +120,8 @@ public final class ImportCommand implements Callable<Integer> {
       names = "--xacro",
       paramLabel = "NAME:=VALUE",
       description =
-          "Value of an argument of a robot with macros of xacro; may be given several times.")
+          "Value of an argument of a file with macros of xacro; may be given several times, and is"
+              + " refused for a robot that has no macros and for the standard input.")
   private List<String> xacro = List.of();
 
   @Option(
@@ -212,6 +213,8 @@ public final class ImportCommand implements Callable<Integer> {
             Optional.of(looks()));
     try {
       if (robot.equals("-")) {
+        Xacro.refuse(
+            shown(), xacro, "macros are expanded in files, not in what comes through a pipe");
         return RobotImport.read(shown(), standardInput(), Path.of("").toAbsolutePath(), options);
       }
       Path file = Path.of(robot);

@@ -27,7 +27,8 @@ final class Xacro {
    * program {@code xacro}.
    *
    * @param values of the file's arguments, as NAME:=VALUE
-   * @throws UsageException if the program refuses the file
+   * @throws UsageException if the program refuses the file, or if there are values for a file
+   *     without macros
    */
   static Optional<byte[]> expanded(Path file, List<String> values) throws IOException {
     return expanded("xacro", file, values);
@@ -37,6 +38,7 @@ final class Xacro {
   static Optional<byte[]> expanded(String program, Path file, List<String> values)
       throws IOException {
     if (!hasMacros(file)) {
+      refuse(file.toString(), values, "it has no macros of xacro");
       return Optional.empty();
     }
     List<String> command = new ArrayList<>(List.of(program, file.toString()));
@@ -68,6 +70,27 @@ final class Xacro {
       throw new IOException("interrupted while xacro runs", e);
     } finally {
       Files.delete(said);
+    }
+  }
+
+  /**
+   * Refuses values that nothing reads.
+   *
+   * @param robot what is imported
+   * @param why why nothing reads them
+   * @throws UsageException if there are any
+   */
+  static void refuse(String robot, List<String> values, String why) {
+    if (!values.isEmpty()) {
+      throw new UsageException(
+          MessageCode.NOT_A_ROBOT
+              + " "
+              + robot
+              + ": --xacro "
+              + values.get(0)
+              + " has no meaning: "
+              + why
+              + "; leave it out");
     }
   }
 

@@ -45,6 +45,17 @@ class XacroTest {
     assertThat(Xacro.expanded(program("exit 1"), plain, List.of())).isEmpty();
   }
 
+  @Test
+  void valuesThatNothingReadsAreRefused() throws IOException {
+    Path plain = file("<robot name='r'/>");
+    assertThatThrownBy(() -> Xacro.expanded(plain, List.of("side:=left")))
+        .isInstanceOf(UsageException.class)
+        .hasMessageContaining("--xacro side:=left has no meaning: it has no macros of xacro");
+    assertThatThrownBy(() -> Xacro.refuse("standard input", List.of("side:=left"), "it is a pipe"))
+        .isInstanceOf(UsageException.class)
+        .hasMessageContaining("standard input: --xacro side:=left has no meaning: it is a pipe");
+  }
+
   /** The import then says what to install. */
   @Test
   void withoutTheProgramTheFileIsLeftToTheImport() throws IOException {
