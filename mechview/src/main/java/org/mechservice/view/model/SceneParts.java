@@ -37,6 +37,7 @@ import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.mechanism.force.PairForce;
+import org.mechservice.solver.mechanism.force.PathForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Attachment;
@@ -370,6 +371,18 @@ final class SceneParts {
           one.name(),
           rope ? SceneForce.Kind.ROPE : SceneForce.Kind.COUPLING,
           anchors,
+          Point3.ZERO,
+          false,
+          0,
+          "");
+    }
+
+    @Override
+    public SceneForce pathForce(PathForce one) {
+      return new SceneForce(
+          one.name(),
+          SceneForce.Kind.ROPE,
+          one.points().stream().map(SceneParts::anchor).toList(),
           Point3.ZERO,
           false,
           0,

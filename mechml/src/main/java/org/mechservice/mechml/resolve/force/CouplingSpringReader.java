@@ -75,7 +75,8 @@ final class CouplingSpringReader {
       return List.of();
     }
     String name = element.required("name");
-    Spring spring = new Spring(element, along.get(), angle, law.get(), List.of());
+    Spring spring =
+        new Spring(element, along.get(), angle, law.get(), List.of(along.get()), List.of());
     if (element.attribute("backlash").isEmpty()) {
       return List.of(spring.of(name, side(element), law.get().rest(), force0.get()));
     }
@@ -97,10 +98,17 @@ final class CouplingSpringReader {
     if (rope.isEmpty() || law.isEmpty()) {
       return List.of();
     }
-    List<BodyPoint> points = rope.get().points();
+    Side side = element.attribute("side").isPresent() ? side(element) : Side.ABOVE;
+    for (String attribute : List.of("smoothing", "restitution", "restitutionSpeed")) {
+      if (side == Side.BOTH && element.attribute(attribute).isPresent()) {
+        refuse(element, attribute + " has no meaning for side=\"both\"");
+        return List.of();
+      }
+    }
+    RopeReader.Rope path = rope.get();
     return List.of(
-        new Spring(element, rope.get().length(), false, law.get(), points)
-            .of(element.required("name"), Side.ABOVE, law.get().rest(), Expression.ZERO));
+        new Spring(element, path.length(), false, law.get(), path.changes(), path.points())
+            .of(element.required("name"), side, law.get().rest(), Expression.ZERO));
   }
 
   /** The attributes that all springs of an element share. */
@@ -109,13 +117,21 @@ final class CouplingSpringReader {
     private final Expression along;
     private final boolean angle;
     private final Law law;
+    private final List<Expression> watched;
     private final List<BodyPoint> points;
 
-    Spring(Element element, Expression along, boolean angle, Law law, List<BodyPoint> points) {
+    Spring(
+        Element element,
+        Expression along,
+        boolean angle,
+        Law law,
+        List<Expression> watched,
+        List<BodyPoint> points) {
       this.element = element;
       this.along = along;
       this.angle = angle;
       this.law = law;
+      this.watched = watched;
       this.points = points;
     }
 
@@ -131,6 +147,7 @@ final class CouplingSpringReader {
           side,
           law.smoothing(),
           law.c().dissipation(),
+          watched,
           points,
           names.origin(element));
     }

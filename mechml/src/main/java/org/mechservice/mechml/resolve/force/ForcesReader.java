@@ -34,13 +34,14 @@ public final class ForcesReader {
   private final ShapeContactReader shapes;
   private final TyreReader tyres;
   private final CouplingSpringReader couplings;
+  private final PathForceReader paths;
   private final LawForceReader laws;
   private final MechanismNames names;
   private final Diagnostics diagnostics;
 
   /**
-   * @param states receives the states of contacts that stick and of tyres, behind those already
-   *     there
+   * @param states receives the states of contacts that stick, of tyres and of muscles, behind those
+   *     already there
    */
   public ForcesReader(
       ValueReader values,
@@ -53,6 +54,7 @@ public final class ForcesReader {
     this.bushings = new BushingReader(values, formulas, names, diagnostics);
     this.forceTorques = new ForceTorqueReader(formulas, names, diagnostics);
     this.couplings = new CouplingSpringReader(values, formulas, names, diagnostics);
+    this.paths = new PathForceReader(values, formulas, names, states, diagnostics);
     this.shapes = new ShapeContactReader(values, formulas, names, states, diagnostics);
     this.tyres = new TyreReader(values, formulas, names, states, diagnostics);
     this.contacts = new ContactReader(values, formulas, names, diagnostics);
@@ -90,6 +92,8 @@ public final class ForcesReader {
       case "torsionSpringDamper" -> jointForces.torsionSpringDamper(element);
       case "jointForce" -> jointForces.jointForce(element);
       case "friction" -> jointForces.friction(element);
+      case "pathForce" -> paths.pathForce(element);
+      case "muscle" -> paths.muscle(element);
       case "bushing" -> bushings.read(element);
       case "forceTorque" -> forceTorques.read(element);
       case "contact" -> contact(element);

@@ -55,6 +55,13 @@ final class FormulaNames {
           "s is the arc length along the surface here, and the name of a parameter, too; rename"
               + " the parameter");
     }
+    Optional<Expression.PathMotion> ofPath = pathMotion(name, role);
+    if (ofPath.isPresent() && (parameter.isPresent() || names.signal(name.text()).isPresent())) {
+      throw new ExpressionException(
+          MessageCode.UNUSABLE_NAME,
+          name.offset(),
+          name.text() + " is that of the path here, and a name of the model, too; rename that");
+    }
     if (parameter.isPresent()) {
       return parameter(parameter.get());
     }
@@ -65,9 +72,12 @@ final class FormulaNames {
     if (name.text().equals("s") && role == FormulaRole.HEIGHT) {
       return scaled(new Expression.Argument(), units.length());
     }
+    if (ofPath.isPresent()) {
+      return scaled(ofPath.get(), units.length());
+    }
     Optional<Signal> signal = names.signal(String.join(".", name.names()));
     if (signal.isPresent() && name.index().isEmpty()) {
-      require(role == FormulaRole.STATE, name, role);
+      require(role.allowsStates(), name, role);
       return signal.get().value(name.offset());
     }
     if (name.names().size() == 2 && !name.text().equals("Math.PI")) {
@@ -81,6 +91,19 @@ final class FormulaNames {
     known.addAll(names.signalNames());
     known.add("t");
     return new Expression.Constant(Scope.constant(name, known));
+  }
+
+  /** Returns what {@code length} and {@code rate} are in a tension. */
+  private static Optional<Expression.PathMotion> pathMotion(
+      ParsedExpression.Reference name, FormulaRole role) {
+    if (role != FormulaRole.TENSION || name.index().isPresent()) {
+      return Optional.empty();
+    }
+    return switch (name.text()) {
+      case "length" -> Optional.of(Expression.PathMotion.LENGTH);
+      case "rate" -> Optional.of(Expression.PathMotion.RATE);
+      default -> Optional.empty();
+    };
   }
 
   /**

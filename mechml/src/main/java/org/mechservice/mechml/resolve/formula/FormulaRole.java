@@ -12,6 +12,8 @@ public enum FormulaRole {
   HEIGHT("a height depends on s, the arc length along the surface, and parameters only"),
   /** Relation between coordinates. */
   RELATION("a coupling depends on positions of joints and points, and t only"),
+  /** Tension along a path. */
+  TENSION("a tension depends on length, rate, t, states and parameters only"),
   /** Force, output, event. */
   STATE("");
 
@@ -27,7 +29,15 @@ public enum FormulaRole {
   }
 
   boolean allowsTime() {
-    return this == MOTION || this == GRAVITY || this == RELATION || this == STATE;
+    return this == MOTION
+        || this == GRAVITY
+        || this == RELATION
+        || this == TENSION
+        || this == STATE;
+  }
+
+  boolean allowsStates() {
+    return this == TENSION || this == STATE;
   }
 
   boolean allowsPositions() {

@@ -3,6 +3,7 @@ package org.mechservice.mechml.resolve.formula;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
@@ -20,7 +21,9 @@ import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * The length of a rope as a formula of the places of points: the straight parts between eyes and
- * pulleys, the arcs on the pulleys, and what {@code term}s add, such as the rope on a drum.
+ * pulleys, the arcs on the pulleys and around spheres and cylinders ({@link WrapSection}), and what
+ * {@code term}s add, such as the rope on a drum. Behind a {@code branch} the rope begins anew, and
+ * a share of its length counts.
  *
  * <p>Legend: in the rope's plane with normal n, pulley i has the centre C, the radius R ≥ 0 (an eye
  * has 0) and s = 1 if it lies to the left of the rope, −1 to the right. The straight part from i to
@@ -36,6 +39,8 @@ import org.mechservice.solver.symbol.MathFunction;
  * straight part √(ℓ² + h²) long.
  */
 public final class RopeReader {
+  private static final Set<String> STOPS = Set.of("via", "pulley", "around", "branch");
+
   private final FormulaReader formulas;
   private final RelationReader relations;
   private final FrameReader frames;
@@ -56,24 +61,44 @@ public final class RopeReader {
    *
    * @param length its length, m
    * @param points what it passes, from its first end to its last
+   * @param changes formulas that tell where the form of the length changes
    */
-  public record Rope(Expression length, List<BodyPoint> points) {
+  public record Rope(Expression length, List<BodyPoint> points, List<Expression> changes) {
     public Rope {
       points = List.copyOf(points);
+      changes = List.copyOf(changes);
     }
   }
 
   /**
-   * An eye or a pulley on the way of a rope.
+   * An eye, a pulley, a shape or a branch on the way of a rope.
    *
-   * @param centre of the pulley, or the eye
+   * @param centre of the pulley or the shape, or the eye; of a branch that of what is before it
    * @param signedRadius s R, m; 0 for an eye
    * @param radius R
    * @param turns whole turns on the pulley beside the arc
+   * @param shape that the rope goes around; empty of others
+   * @param share of a branch, of the length behind it; empty of others
    */
-  record Stop(BodyPoint centre, Expression signedRadius, Expression radius, Expression turns) {
+  record Stop(
+      BodyPoint centre,
+      Expression signedRadius,
+      Expression radius,
+      Expression turns,
+      Optional<WrapSection.Shape> shape,
+      Optional<Expression> share) {
+    static Stop eye(BodyPoint at) {
+      return new Stop(
+          at,
+          Expression.ZERO,
+          Expression.ZERO,
+          Expression.ZERO,
+          Optional.empty(),
+          Optional.empty());
+    }
+
     boolean isEye() {
-      return radius.equals(Expression.ZERO);
+      return radius.equals(Expression.ZERO) && shape.isEmpty() && share.isEmpty();
     }
 
     boolean isLeft() {
@@ -82,24 +107,37 @@ public final class RopeReader {
 
     /** Returns whether the rope can leave it, which it does not with whole turns on it. */
     boolean canBeLeft() {
-      return !isEye() && turns.equals(Expression.ZERO);
+      return isPulley() && turns.equals(Expression.ZERO);
+    }
+
+    boolean isPulley() {
+      return !isEye() && shape.isEmpty() && share.isEmpty();
     }
   }
 
   /** Returns the rope of an element; empty after a reported error. */
   public Optional<Rope> read(Element element) {
+    return read(element, false);
+  }
+
+  /**
+   * Returns the rope of an element, or the sum of its terms alone; empty after a reported error.
+   */
+  public Optional<Rope> readOrSum(Element element) {
+    return read(element, true);
+  }
+
+  private Optional<Rope> read(Element element, boolean sumAlone) {
     List<Stop> stops = new ArrayList<>();
-    int wanted = 0;
-    boolean pulleys = false;
-    for (Element child : element.children()) {
-      if (child.name().equals("via") || child.name().equals("pulley")) {
-        wanted++;
-        pulleys |= child.name().equals("pulley");
-        stop(child).ifPresent(stops::add);
-      }
+    List<Element> wanted =
+        element.children().stream().filter(child -> STOPS.contains(child.name())).toList();
+    boolean pulleys = wanted.stream().anyMatch(child -> child.name().equals("pulley"));
+    for (Element child : wanted) {
+      stop(child).ifPresent(stops::add);
     }
     Optional<Element> plane = element.child("plane");
-    if (!isPossible(element, pulleys, plane.isPresent())) {
+    boolean isSum = sumAlone && wanted.isEmpty() && !element.children("term").isEmpty();
+    if (!isSum && !isPossible(element, wanted, pulleys, plane.isPresent())) {
       return Optional.empty();
     }
     int most = mostBetweenEyes(stops);
@@ -117,13 +155,19 @@ public final class RopeReader {
         relations
             .sum(element, Expression.ZERO)
             .map(sum -> FormulaNames.toSi(sum, values.units().length()));
-    if (stops.size() < wanted || more.isEmpty() || (plane.isPresent() && frame.isEmpty())) {
+    if (stops.size() < wanted.size() || more.isEmpty() || (plane.isPresent() && frame.isEmpty())) {
       return Optional.empty();
     }
-    Expression length = frame.isPresent() ? overPulleys(frame.get(), stops) : throughEyes(stops);
+    List<Expression> changes = new ArrayList<>();
+    Expression length = alongStops(frame, stops, changes);
     return Optional.of(
         new Rope(
-            RelationReader.plus(more.get(), length), stops.stream().map(Stop::centre).toList()));
+            isSum ? more.get() : RelationReader.plus(more.get(), length),
+            stops.stream()
+                .filter(stop -> stop.isEye() || stop.isPulley())
+                .map(Stop::centre)
+                .toList(),
+            changes));
   }
 
   /** Returns the largest number of pulleys between two eyes that the rope can leave. */
@@ -137,16 +181,25 @@ public final class RopeReader {
     return most;
   }
 
-  private boolean isPossible(Element element, boolean pulleys, boolean plane) {
-    List<Element> stops =
-        element.children().stream()
-            .filter(child -> child.name().equals("via") || child.name().equals("pulley"))
-            .toList();
+  private boolean isPossible(Element element, List<Element> stops, boolean pulleys, boolean plane) {
     if (stops.size() < 2
-        || stops.get(0).name().equals("pulley")
-        || stops.get(stops.size() - 1).name().equals("pulley")) {
+        || !stops.get(0).name().equals("via")
+        || !stops.get(stops.size() - 1).name().equals("via")) {
       relations.report(element, "a rope begins and ends at a via; write a via at both ends");
       return false;
+    }
+    for (int i = 1; i < stops.size() - 1; i++) {
+      boolean between =
+          stops.get(i - 1).name().equals("via") && stops.get(i + 1).name().equals("via");
+      String name = stops.get(i).name();
+      if (!between && (name.equals("around") || name.equals("branch"))) {
+        relations.report(
+            stops.get(i),
+            name.equals("around")
+                ? "it stands between two vias; write one before it and one behind it"
+                : "a rope ends before it and begins anew behind it; write a via on both sides");
+        return false;
+      }
     }
     if (pulleys != plane) {
       relations.report(
@@ -164,11 +217,19 @@ public final class RopeReader {
   }
 
   private Optional<Stop> stop(Element element) {
+    if (element.name().equals("branch")) {
+      return formulas.positive(element, "share", Quantity.NUMBER).map(RopeReader::branch);
+    }
     Optional<BodyPoint> centre = names.point(element);
     if (element.name().equals("via")) {
-      return centre.map(at -> new Stop(at, Expression.ZERO, Expression.ZERO, Expression.ZERO));
+      return centre.map(Stop::eye);
     }
     Optional<Expression> radius = formulas.positive(element, "radius", Quantity.LENGTH);
+    if (element.name().equals("around")) {
+      return centre.isPresent() && radius.isPresent()
+          ? shape(element, centre.get(), radius.get())
+          : Optional.empty();
+    }
     Optional<Expression> turns = formulas.notNegative(element, "turns", Quantity.NUMBER);
     boolean left = element.required("side").equals("left");
     return centre.isPresent() && radius.isPresent() && turns.isPresent()
@@ -177,38 +238,108 @@ public final class RopeReader {
                 centre.get(),
                 left ? radius.get() : new Negation(radius.get()),
                 radius.get(),
-                turns.get()))
+                turns.get(),
+                Optional.empty(),
+                Optional.empty()))
         : Optional.empty();
   }
 
-  private static Expression throughEyes(List<Stop> stops) {
-    Expression length = Expression.ZERO;
-    for (int i = 1; i < stops.size(); i++) {
-      Expression squares = Expression.ZERO;
-      for (int axis = 0; axis < 3; axis++) {
-        Expression way =
-            minus(
-                new PointPosition(stops.get(i).centre(), axis),
-                new PointPosition(stops.get(i - 1).centre(), axis));
-        squares = RelationReader.plus(squares, new Product(way, way));
-      }
-      length = RelationReader.plus(length, root(squares));
-    }
-    return length;
+  private static Stop branch(Expression share) {
+    return new Stop(
+        new BodyPoint(BodyPoint.ROOT, Vector3.ZERO),
+        Expression.ZERO,
+        Expression.ZERO,
+        Expression.ZERO,
+        Optional.empty(),
+        Optional.of(share));
   }
 
-  private static Expression overPulleys(BodyFrame plane, List<Stop> stops) {
+  private Optional<Stop> shape(Element element, BodyPoint centre, Expression radius) {
+    boolean inside = element.attribute("inside").orElse("false").equals("true");
+    Optional<Element> sideElement = element.child("side");
+    Optional<BodyPoint> side = sideElement.flatMap(names::point);
+    Optional<Vector3> axis =
+        element.attribute("vector").isPresent()
+            ? frames.direction(element, "the axis of the cylinder")
+            : Optional.empty();
+    Optional<Expression> tolerance = formulas.notNegative(element, "tolerance", Quantity.NUMBER);
+    if (inside && sideElement.isPresent()) {
+      relations.report(element, "it has inside and a side; leave one of them out");
+      return Optional.empty();
+    }
+    if (!inside && element.attribute("tolerance").isPresent()) {
+      relations.report(element, "tolerance has no meaning without inside=\"true\"; leave it out");
+      return Optional.empty();
+    }
+    if (tolerance.isPresent() && !(tolerance.get() instanceof Expression.Constant)) {
+      relations.report(element, "tolerance depends on a tunable parameter; write a number");
+      return Optional.empty();
+    }
+    if (tolerance.isEmpty()
+        || (sideElement.isPresent() && side.isEmpty())
+        || (element.attribute("vector").isPresent() && axis.isEmpty())) {
+      return Optional.empty();
+    }
+    WrapSection.Shape shape =
+        new WrapSection.Shape(
+            centre,
+            axis.map(n -> n.times(1 / n.norm())),
+            radius,
+            side,
+            inside,
+            ((Expression.Constant) tolerance.get()).value());
+    return Optional.of(
+        new Stop(
+            centre,
+            Expression.ZERO,
+            Expression.ZERO,
+            Expression.ZERO,
+            Optional.of(shape),
+            Optional.empty()));
+  }
+
+  /** Returns the length; adds the formulas that tell where its form changes. */
+  private static Expression alongStops(
+      Optional<BodyFrame> plane, List<Stop> stops, List<Expression> changes) {
     Expression length = Expression.ZERO;
+    Optional<Expression> share = Optional.empty();
     int from = 0;
     for (int i = 1; i < stops.size(); i++) {
-      if (stops.get(i).isEye()) {
-        length =
-            RelationReader.plus(
-                length, new RopeSection(plane, stops.subList(from, i + 1)).length());
+      if (stops.get(i).share().isPresent()) {
+        share = stops.get(i).share();
+        from = i + 1;
+      } else if (stops.get(i).isEye() && i > from) {
+        Expression part = section(plane, stops.subList(from, i + 1), changes);
+        Expression counted = share.isPresent() ? new Product(share.get(), part) : part;
+        length = RelationReader.plus(length, counted);
         from = i;
       }
     }
     return length;
+  }
+
+  /** Returns the length from an eye to the next. */
+  private static Expression section(
+      Optional<BodyFrame> plane, List<Stop> stops, List<Expression> changes) {
+    Stop first = stops.get(0);
+    Stop last = stops.get(stops.size() - 1);
+    Optional<WrapSection.Shape> shape = stops.get(1).shape();
+    if (shape.isPresent()) {
+      WrapSection wrap = new WrapSection(first.centre(), shape.get(), last.centre());
+      changes.addAll(wrap.changes());
+      return wrap.length();
+    } else if (plane.isPresent()) {
+      Expression length = new RopeSection(plane.get(), stops).length();
+      changes.add(length);
+      return length;
+    }
+    Expression squares = Expression.ZERO;
+    for (int axis = 0; axis < 3; axis++) {
+      Expression way =
+          minus(new PointPosition(last.centre(), axis), new PointPosition(first.centre(), axis));
+      squares = RelationReader.plus(squares, new Product(way, way));
+    }
+    return root(squares);
   }
 
   /** Returns the way between two points along a vector fixed in the plane's body. */

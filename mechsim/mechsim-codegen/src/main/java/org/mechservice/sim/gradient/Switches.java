@@ -130,7 +130,8 @@ final class Switches {
     return node.operation() == ScalarOperation.FUNCTION
         && (node.function() == MathFunction.PICK
             || node.function() == MathFunction.HELD
-            || node.function() == MathFunction.CLOSEST);
+            || node.function() == MathFunction.CLOSEST
+            || node.function() == MathFunction.TOUCH);
   }
 
   /**

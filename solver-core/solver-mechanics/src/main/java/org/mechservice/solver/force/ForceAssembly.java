@@ -21,6 +21,7 @@ import org.mechservice.solver.force.formula.CutJointForce;
 import org.mechservice.solver.force.formula.ExpressionJointForce;
 import org.mechservice.solver.force.formula.ExpressionWrench;
 import org.mechservice.solver.force.formula.FormulaLaw;
+import org.mechservice.solver.force.formula.TensionLaw;
 import org.mechservice.solver.force.law.CoordinateLaw;
 import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.force.user.AppliedUserForce;
@@ -39,6 +40,7 @@ import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.PairForce;
+import org.mechservice.solver.mechanism.force.PathForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
@@ -93,7 +95,12 @@ final class ForceAssembly implements ForceVisitor<AppliedForce> {
 
   @Override
   public AppliedForce couplingSpringDamper(CouplingSpringDamper force) {
-    return new CoupledSpring(force, motion, spring(force, force.side()));
+    return new CoupledSpring(force, force.along(), motion, spring(force, force.side()));
+  }
+
+  @Override
+  public AppliedForce pathForce(PathForce force) {
+    return new CoupledSpring(force, force.along(), motion, new TensionLaw(force, motion));
   }
 
   @Override

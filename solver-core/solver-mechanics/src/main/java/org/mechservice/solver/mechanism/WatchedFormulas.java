@@ -1,10 +1,12 @@
 package org.mechservice.solver.mechanism;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
@@ -43,6 +45,7 @@ import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.PairForce;
+import org.mechservice.solver.mechanism.force.PathForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
@@ -102,12 +105,22 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
   }
 
   private static boolean isNarrow(Expression formula) {
+    return isNarrow(formula, Collections.newSetFromMap(new IdentityHashMap<>()));
+  }
+
+  /**
+   * @param seen parts that are known not to be; formulas share parts
+   */
+  private static boolean isNarrow(Expression formula, Set<Expression> seen) {
+    if (!seen.add(formula)) {
+      return false;
+    }
     boolean here =
         formula instanceof TableValue
             || (formula instanceof Call call && call.function().corners() == Corners.NONE)
             || formula instanceof Power
             || formula instanceof Quotient;
-    return here || Expression.operands(formula).stream().anyMatch(WatchedFormulas::isNarrow);
+    return here || Expression.operands(formula).stream().anyMatch(part -> isNarrow(part, seen));
   }
 
   /** Returns a formula without its even terms; empty if it has no others. */
@@ -218,8 +231,13 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
   @Override
   public List<Expression> couplingSpringDamper(CouplingSpringDamper force) {
     List<Expression> all = new ArrayList<>(oneSided(force.side(), force.along(), force.rest()));
-    all.add(force.along());
+    all.addAll(force.watched());
     return all;
+  }
+
+  @Override
+  public List<Expression> pathForce(PathForce force) {
+    return force.watched();
   }
 
   /** Returns by how much the centre is below the heights at which the sphere touches. */

@@ -2,6 +2,7 @@ package org.mechservice.solver.force;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -14,6 +15,7 @@ import org.mechservice.solver.expression.Expression.Argument;
 import org.mechservice.solver.expression.Expression.Call;
 import org.mechservice.solver.expression.Expression.CoordinatePosition;
 import org.mechservice.solver.expression.Expression.CoordinateVelocity;
+import org.mechservice.solver.expression.Expression.PathMotion;
 import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.Product;
@@ -21,9 +23,11 @@ import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.expression.ScalarFormulas;
 import org.mechservice.solver.force.law.Condition;
 import org.mechservice.solver.force.law.PairLaw;
 import org.mechservice.solver.force.law.Side;
+import org.mechservice.solver.force.law.Wrap;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
@@ -36,12 +40,16 @@ import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.mechanism.force.PairForce;
+import org.mechservice.solver.mechanism.force.PathForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -70,7 +78,10 @@ public final class RandomForces {
     PAIR_FORCE,
     RELATIVE_WRENCH,
     LAW,
-    CONTACT_TRACKS
+    CONTACT_TRACKS,
+    PATH,
+    PATH_ON_A_SIDE,
+    PATH_IN_A_RING
   }
 
   private final Random random;
@@ -150,7 +161,63 @@ public final class RandomForces {
       case PAIR_FORCE -> pairForce(name);
       case RELATIVE_WRENCH -> relativeWrench(name);
       case LAW -> law(name);
+      case PATH -> path(name, false, false);
+      case PATH_ON_A_SIDE -> path(name, true, false);
+      case PATH_IN_A_RING -> path(name, false, true);
     };
+  }
+
+  /** A tension along a path around a sphere or a cylinder. */
+  private PathForce path(String name, boolean onSide, boolean inRing) {
+    Expressions e = new Expressions();
+    List<Expression> leaves = new ArrayList<>();
+    BodyPoint at = point();
+    ScalarVector centre = place(e, at, leaves);
+    List<ScalarVector> axes =
+        List.of(
+            direction(e, at, new Vector3(1, 0, 0), leaves),
+            direction(e, at, new Vector3(0, 1, 0), leaves),
+            direction(e, at, new Vector3(0, 0, 1), leaves));
+    Wrap wrap =
+        new Wrap(
+            e,
+            place(e, point(), leaves).minus(centre),
+            place(e, point(), leaves).minus(centre),
+            random.nextBoolean() ? Optional.of(axes.get(2)) : Optional.empty(),
+            e.constant(0.3 + 0.2 * random.nextDouble()));
+    BodyPoint side =
+        new BodyPoint(at.body(), at.position().plus(new Vector3(1 + random.nextDouble(), 0.7, 0)));
+    Wrap.Way way =
+        inRing
+            ? wrap.inside(axes, 0)
+            : onSide ? wrap.beside(place(e, side, leaves).minus(centre)) : wrap.shortest();
+    Expression tension =
+        new Sum(
+            new Product(number(), PathMotion.LENGTH),
+            new Product(
+                new Sum(number(), new Product(new Time(), PathMotion.LENGTH)), PathMotion.RATE));
+    return new PathForce(
+        name,
+        new ScalarFormulas(leaves).of(way.length()),
+        tension,
+        List.of(),
+        List.of(),
+        Origin.NONE);
+  }
+
+  private static ScalarVector place(Expressions e, BodyPoint point, List<Expression> leaves) {
+    List<Scalar> components = new ArrayList<>();
+    for (int i = 0; i < 3; i++) {
+      components.add(e.input(leaves.size()));
+      leaves.add(new PointPosition(point, i));
+    }
+    return new ScalarVector(components.get(0), components.get(1), components.get(2));
+  }
+
+  private static ScalarVector direction(
+      Expressions e, BodyPoint from, Vector3 vector, List<Expression> leaves) {
+    BodyPoint tip = new BodyPoint(from.body(), from.position().plus(vector));
+    return place(e, tip, leaves).minus(place(e, from, leaves));
   }
 
   public JointSpringDamper jointSpring(String name, Coordinate coordinate, Side side) {
@@ -206,6 +273,7 @@ public final class RandomForces {
         side,
         Expression.of(0.4),
         dissipation(side),
+        List.of(along),
         List.of(),
         Origin.NONE);
   }

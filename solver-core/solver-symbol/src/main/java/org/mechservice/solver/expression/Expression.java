@@ -74,6 +74,20 @@ public sealed interface Expression {
   record ParameterValue(int index) implements Expression {}
 
   /**
+   * The length of the path along which a force pulls, m, or the rate of the length, m/s. It has no
+   * meaning elsewhere.
+   *
+   * @param isRate whether it is the rate
+   */
+  record PathMotion(boolean isRate) implements Expression {
+    /** The length. */
+    public static final PathMotion LENGTH = new PathMotion(false);
+
+    /** Its rate. */
+    public static final PathMotion RATE = new PathMotion(true);
+  }
+
+  /**
    * A state besides positions and velocities, in its own unit.
    *
    * @param index among the mechanism's further states

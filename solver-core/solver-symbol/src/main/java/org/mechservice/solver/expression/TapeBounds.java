@@ -33,13 +33,18 @@ final class TapeBounds {
   /** Steps that are no choices and can change much while their arguments hardly do. */
   private final boolean[] narrow;
 
+  /** Steps that are smooth whatever their operands are. */
+  private final boolean[] smooth;
+
   TapeBounds(Tape tape) {
     this.tape = tape;
     low = tape.initial.clone();
     high = tape.initial.clone();
     rough = new boolean[low.length];
     narrow = new boolean[tape.operation.length];
+    smooth = new boolean[tape.operation.length];
     for (int i = 0; i < narrow.length; i++) {
+      smooth[i] = tape.operation[i] == MathFunction.SMOOTH;
       narrow[i] = tape.operation[i].isNarrow();
     }
   }
@@ -68,7 +73,7 @@ final class TapeBounds {
     for (int i = 0; i < kind.length; i++) {
       int a = first[i];
       int b = second[i];
-      boolean uneven = rough[a] || rough[b] || !changesEvenly(i, kind[i], a, b);
+      boolean uneven = !smooth[i] && (rough[a] || rough[b] || !changesEvenly(i, kind[i], a, b));
       rough[target[i]] = uneven;
       if (uneven) {
         enclose(i, kind[i], a, b, target[i]);

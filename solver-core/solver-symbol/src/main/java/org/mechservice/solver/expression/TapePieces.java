@@ -297,7 +297,9 @@ public final class TapePieces {
   }
 
   private void passOn(MathFunction function, int target, boolean open, int a, int b) {
-    if (function.isChoice()) {
+    if (function == MathFunction.SMOOTH) {
+      return; // no choice inside matters
+    } else if (function.isChoice()) {
       int least = function.choice().get(0) == 0 ? a : b;
       int most = least == a ? b : a;
       matters[a] |= low[least] <= high[most];

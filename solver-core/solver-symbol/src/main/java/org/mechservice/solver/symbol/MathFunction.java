@@ -16,6 +16,7 @@ import org.mechservice.solver.spatial.NumberTable;
 import org.mechservice.solver.spatial.Piecewise;
 import org.mechservice.solver.spatial.Powers;
 import org.mechservice.solver.spatial.SinCos;
+import org.mechservice.solver.spatial.TouchingPoint;
 
 /**
  * The catalogue of functions: those that formulas of models, studies and benchmarks can call
@@ -211,6 +212,16 @@ public enum MathFunction implements WatchedStep {
           .formula(x -> FunctionFormulas.elsewhere(x.get(0), x.get(1)))
           .bound((out, aLow, aHigh, bLow, bHigh) -> out.part(aLow < 0, aHigh >= 0, bLow, bHigh))
           .part()),
+  /**
+   * {@code smooth(x)}: x, a formula that is known to be smooth, whatever the search of steps could
+   * find out about its parts; it has no pieces that matter.
+   */
+  SMOOTH(
+      one("", x -> x)
+          .formula(x -> x.get(0))
+          .slope((f, i) -> f.expressions().one())
+          .even((aLow, aHigh, bLow, bHigh, highest) -> true)
+          .exact()),
   /** {@code choose(a, b, x, y)}: x where a ≤ b, else y. */
   CHOOSE(
       inner("Piecewise", "choose", 4, (row, x) -> Piecewise.choose(x[0], x[1], x[2], x[3]))
@@ -221,7 +232,12 @@ public enum MathFunction implements WatchedStep {
           .by(SPATIAL + "Piecewise", "product")
           .slope((f, i) -> f.operands().get(1 - i))),
   /** {@code pick(a, b, x, y)}: x where a ≤ b, else y; found by a search, so without derivatives. */
-  PICK(inner("Piecewise", "pick", 4, (row, x) -> Piecewise.pick(x[0], x[1], x[2], x[3]))),
+  PICK(
+      inner("Piecewise", "pick", 4, (row, x) -> Piecewise.pick(x[0], x[1], x[2], x[3]))
+          .bound(
+              (out, aLow, aHigh, bLow, bHigh) ->
+                  out.set(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY))
+          .even((aLow, aHigh, bLow, bHigh, highest) -> aHigh <= bLow || aLow > bHigh)),
   /** {@code held(x)}: x, without a derivative. */
   HELD(one("", Piecewise::held).by(SPATIAL + "Piecewise", "held")),
   /**
@@ -250,6 +266,20 @@ public enum MathFunction implements WatchedStep {
               2,
               (row, x) -> CubicCurve.closest(row, 0, row.length, x[0], x[1]))
           .readsRow()),
+  /**
+   * {@code touch(l₁, l₂, ψ, radius, tolerance)}: where a string through a ring touches it, an angle
+   * between 0 and ψ; found by a search, so without derivatives.
+   */
+  TOUCH(
+      inner(
+              "TouchingPoint",
+              "angle",
+              5,
+              (row, x) -> TouchingPoint.angle(x[0], x[1], x[2], x[3], x[4]))
+          .bound((out, aLow, aHigh, bLow, bHigh) -> out.set(0, Math.PI))
+          .even(
+              (aLow, aHigh, bLow, bHigh, highest) ->
+                  Enclosure.changesLittle(aLow, aHigh) && Enclosure.changesLittle(bLow, bHigh))),
   /** The number of the polynomial of a {@link GivenFunction} at its arguments. */
   PLACE(two("", (a, b) -> Double.NaN)),
   /**

@@ -12,7 +12,7 @@ import org.mechservice.solver.spatial.SinCos;
  */
 public final class ProgramSteps {
   /** Most arguments that a function has. */
-  public static final int ARGUMENTS = 4;
+  public static final int ARGUMENTS = 5;
 
   private static final double[] NO_ROW = {};
 

@@ -43,7 +43,7 @@ class DifferentiationTest {
   @ParameterizedTest
   @EnumSource(
       mode = EnumSource.Mode.EXCLUDE,
-      names = {"PICK", "HELD", "CLOSEST", "PLACE", "GIVEN"})
+      names = {"PICK", "HELD", "CLOSEST", "TOUCH", "PLACE", "GIVEN"})
   void slopesOfFunctionsAreTheirDifferences(MathFunction function) {
     Scalar[] arguments = {x, y, x.times(y), y.squared()};
     Scalar value =
@@ -86,6 +86,7 @@ class DifferentiationTest {
     assertThat(byX.of(e.closest(line, x, y)).isZero()).isTrue();
     assertThat(byX.of(e.function(MathFunction.PICK, x, y, x, y)).isZero()).isTrue();
     assertThat(byX.of(e.function(MathFunction.HELD, x)).isZero()).isTrue();
+    assertThat(byX.of(e.function(MathFunction.TOUCH, x, y, x, y, x)).isZero()).isTrue();
   }
 
   @ParameterizedTest

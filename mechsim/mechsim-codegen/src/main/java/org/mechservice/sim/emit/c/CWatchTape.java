@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.mechservice.sim.emit.method.NumberText;
@@ -12,6 +13,7 @@ import org.mechservice.sim.emit.source.SourceLines;
 import org.mechservice.solver.expression.MapSurface;
 import org.mechservice.solver.expression.TableCurve;
 import org.mechservice.solver.expression.TapeListing;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** Writes the tape that the steps of a model watch, as the constant arrays of mech_watch.h. */
 final class CWatchTape {
@@ -20,6 +22,10 @@ final class CWatchTape {
 
   /** Degrees of the cubics of a map, along each argument. */
   private static final int POWERS = 4;
+
+  /** Operations of the steps' search that only Java has. */
+  private static final Set<String> SEARCHED =
+      Set.of(MathFunction.TOUCH.name(), MathFunction.PICK.name(), MathFunction.HELD.name());
 
   private final CWatch watch;
   private final TapeListing tape;
@@ -33,8 +39,18 @@ final class CWatchTape {
     this.tape = watch.tape();
   }
 
-  /** Returns the files by name: sizes, and arrays. */
+  /**
+   * Returns the files by name: sizes, and arrays.
+   *
+   * @throws IllegalArgumentException if a watched formula needs a search, which mech_watch.c lacks
+   */
   static Map<String, String> files(CWatch watch) {
+    if (watch.tape().steps().stream().anyMatch(step -> SEARCHED.contains(step.operation()))) {
+      throw new IllegalArgumentException(
+          "a rope through a ring (inside=\"true\") that acts on one side, or has a constant length,"
+              + " is not in code in C: the search for its slack needs the touching point; give it"
+              + " side=\"both\", or a pathForce");
+    }
     CWatchTape written = new CWatchTape(watch);
     Map<String, String> files = new LinkedHashMap<>();
     files.put(SIZES, written.sizes());

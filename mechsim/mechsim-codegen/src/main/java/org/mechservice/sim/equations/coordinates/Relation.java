@@ -50,6 +50,8 @@ public final class Relation extends Formulas {
   private final List<Leaf> leaves = new ArrayList<>();
   private final Map<Leaf, Scalar> slopes = new HashMap<>();
   private final Scalar derived;
+  private Optional<Substitution> ofStates = Optional.empty();
+  private Optional<Substitution> still = Optional.empty();
 
   /** Derives the formula with placeholders. */
   public Relation(
@@ -159,15 +161,29 @@ public final class Relation extends Formulas {
     return computedInPlace(statesInPlace(scalar), sweep);
   }
 
+  /** Each substitution is kept, since the slopes of a long formula share most of it. */
   private Scalar statesInPlace(Scalar scalar) {
-    Map<Scalar, Scalar> positions = new HashMap<>();
-    for (Leaf leaf : leaves) {
-      leaf.ofTree().ifPresent(joint -> positions.put(leaf.stand(), joints.position(joint)));
+    if (ofStates.isEmpty()) {
+      Map<Scalar, Scalar> positions = new HashMap<>();
+      for (Leaf leaf : leaves) {
+        leaf.ofTree().ifPresent(joint -> positions.put(leaf.stand(), joints.position(joint)));
+      }
+      ofStates = Optional.of(new Substitution(expressions, positions));
     }
-    return new Substitution(expressions, positions).of(scalar);
+    return ofStates.get().of(scalar);
   }
 
   private Scalar computedInPlace(Scalar scalar, Optional<ForceSweep> sweep) {
+    if (sweep.isPresent()) {
+      return computed(sweep).of(scalar);
+    }
+    if (still.isEmpty()) {
+      still = Optional.of(computed(sweep));
+    }
+    return still.get().of(scalar);
+  }
+
+  private Substitution computed(Optional<ForceSweep> sweep) {
     Map<Scalar, Scalar> motion = new HashMap<>();
     ScalarVector none = ScalarVector.zero(expressions);
     for (Leaf leaf : leaves) {
@@ -178,6 +194,6 @@ public final class Relation extends Formulas {
         motion.put(leaf.second(), coordinate.acceleration(sweep, none));
       }
     }
-    return new Substitution(expressions, motion).of(scalar);
+    return new Substitution(expressions, motion);
   }
 }

@@ -8,6 +8,7 @@ import org.mechservice.sim.equations.kinematics.LinkKinematics;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.PathMotion;
 import org.mechservice.solver.expression.Formulas;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
@@ -15,6 +16,9 @@ import org.mechservice.solver.symbol.ScalarVector;
 
 /** Formulas of time, parameters and the state as scalars; parameters are inputs. */
 public final class StateFormulas extends Formulas {
+  /** Placeholder for the length of a path, far below those of the positions of a relation. */
+  private static final int PATH = Integer.MIN_VALUE + 1;
+
   private final Expressions expressions;
   private final JointCoordinates joints;
   private final BodyPoints points;
@@ -51,6 +55,8 @@ public final class StateFormulas extends Formulas {
       return place(point.point()).at(point.axis());
     } else if (leaf instanceof Expression.PointVelocity point) {
       return speed(point.point()).at(point.axis());
+    } else if (leaf instanceof PathMotion motion) {
+      return pathMotion(motion);
     } else if (leaf instanceof Expression.RelativeMotion relative) {
       return motions
           .computeIfAbsent(List.of(relative.frame1(), relative.frame2()), this::motion)
@@ -62,6 +68,11 @@ public final class StateFormulas extends Formulas {
           leaf(closest.above()));
     }
     throw new IllegalArgumentException(leaf + " has no value in a force");
+  }
+
+  /** Returns the placeholder for the motion of a path, which the force along it replaces. */
+  public Scalar pathMotion(PathMotion motion) {
+    return expressions.input(PATH - (motion.isRate() ? 1 : 0));
   }
 
   /** Returns the motion of a second frame relative to a first. */

@@ -2,6 +2,7 @@ package org.mechservice.sim.equations.force;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.mechservice.sim.equations.coordinates.ClosestPointSearch;
 import org.mechservice.sim.equations.coordinates.ClosestPointSearch.Curve;
 import org.mechservice.sim.equations.coordinates.CutCoordinateTerms;
@@ -21,6 +22,7 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.PathMotion;
 import org.mechservice.solver.force.law.ClosestFoot;
 import org.mechservice.solver.force.law.ContactLoad;
 import org.mechservice.solver.force.law.CoordinateLaw;
@@ -41,6 +43,7 @@ import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.PairForce;
+import org.mechservice.solver.mechanism.force.PathForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
@@ -48,6 +51,7 @@ import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
+import org.mechservice.solver.symbol.Substitution;
 
 /** The forces of a mechanism as equations of one program, each in its own section. */
 public final class AppliedForces {
@@ -234,6 +238,24 @@ public final class AppliedForces {
       Scalar rate = relation.rate();
       CoordinateLaw law = CoordinateLaw.of(s.side());
       return new CouplingTerm(relation, rate, law.of(relation.value(), rate, coefficients));
+    }
+
+    @Override
+    public ForceTerm pathForce(PathForce f) {
+      Relation relation = new Relation(expressions, links, cuts, f.along());
+      Scalar rate = relation.rate();
+      Scalar tension =
+          new Substitution(
+                  expressions,
+                  Map.of(
+                      formulas.pathMotion(PathMotion.LENGTH),
+                      relation.value(),
+                      formulas.pathMotion(PathMotion.RATE),
+                      rate))
+              .of(formulas.scalar(f.tension()));
+      Scalar force = tension.negated();
+      return new CouplingTerm(
+          relation, rate, new CoordinateLoad(force, expressions.zero(), force.times(rate)));
     }
 
     @Override

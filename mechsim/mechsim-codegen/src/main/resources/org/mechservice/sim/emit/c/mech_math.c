@@ -1063,6 +1063,28 @@ double mech_held(double x) {
   return x;
 }
 
+enum { TOUCH_STEPS = 100 };
+
+double mech_touch(double l1, double l2, double psi, double radius, double tolerance) {
+  double a = radius / l1;
+  double b = radius / l2;
+  double u = 0.5 * 3.141592653589793;
+  int i;
+  for (i = 0; i < TOUCH_STEPS; i++) {
+    double sine = mech_sin(u);
+    double cosine = mech_cos(u);
+    double f = psi - 2.0 * u + mech_asin(a * sine) + mech_asin(b * sine);
+    double slope = -2.0 + a * cosine / sqrt(1.0 - a * a * sine * sine)
+        + b * cosine / sqrt(1.0 - b * b * sine * sine);
+    double next = u - f / slope;
+    if (fabs(f) <= tolerance || !(next < u)) {
+      break;
+    }
+    u = next;
+  }
+  return u - mech_asin(a * mech_sin(u));
+}
+
 enum { CURVE_PARTS = 8, CURVE_STEPS = 1100 };
 
 static double curve_value(const double *table, int n, int place, double x) {

@@ -59,6 +59,9 @@ double mech_closest(const double *row, int count, double x, double z);
 double mech_pick(double a, double b, double x, double y);
 double mech_held(double x);
 
+/* Angle from the first of two points to where a string through a ring touches the ring. */
+double mech_touch(double l1, double l2, double psi, double radius, double tolerance);
+
 /* Writes sine and cosine of one angle to out[0] and out[1], error below 1 ulp. */
 void mech_sin_cos(double angle, double *out);
 

@@ -23,6 +23,7 @@ import org.mechservice.solver.spatial.CubicCurve;
 import org.mechservice.solver.spatial.Piecewise;
 import org.mechservice.solver.spatial.Powers;
 import org.mechservice.solver.spatial.SinCos;
+import org.mechservice.solver.spatial.TouchingPoint;
 
 /** The functions of mech_math.c have the bits of those that models call in Java. */
 class StrictMathInCTest {
@@ -69,6 +70,8 @@ class StrictMathInCTest {
     BINARY.put("mech_power", Powers::power);
     BINARY.put("mech_product", Piecewise::product);
     BINARY.put("closest", (x, z) -> CubicCurve.closest(CURVE, 0, CURVE.length, x, z));
+    BINARY.put("touch", (a, b) -> TouchingPoint.angle(1.25, a, b, 1, 0));
+    BINARY.put("touchRoughly", (a, b) -> TouchingPoint.angle(1.25, a, b, 1, 1e-6));
     BINARY.put("pick", (a, b) -> Piecewise.pick(a, b, a, 2.5));
     BINARY.put("choose", (a, b) -> Piecewise.choose(a, b, a, 2.5));
   }
@@ -162,6 +165,12 @@ class StrictMathInCTest {
     lines.add("enum { N = sizeof ROAD / sizeof ROAD[0] };");
     lines.add("static double closest(double x, double z) {");
     lines.add("  return mech_closest(ROAD, N, x, z);");
+    lines.add("}");
+    lines.add("static double touch(double a, double b) {");
+    lines.add("  return mech_touch(1.25, a, b, 1.0, 0.0);");
+    lines.add("}");
+    lines.add("static double touchRoughly(double a, double b) {");
+    lines.add("  return mech_touch(1.25, a, b, 1.0, 1e-6);");
     lines.add("}");
     lines.add("static double pick(double a, double b) { return mech_pick(a, b, a, 2.5); }");
     lines.add("int main(int count, char **names) {");

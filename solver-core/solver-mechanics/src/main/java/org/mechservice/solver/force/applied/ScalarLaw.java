@@ -10,6 +10,9 @@ public interface ScalarLaw {
    */
   boolean parameters(double[] values, AppliedForce force);
 
+  /** Sets the time of the next {@link #force}, of which most laws are independent, s. */
+  default void at(double t) {}
+
   /** Returns the force; a positive force increases the coordinate. */
   double force(double position, double velocity);
 
@@ -19,6 +22,11 @@ public interface ScalarLaw {
    * @param by derivatives by position and velocity; overwritten
    */
   void slopes(double[] by);
+
+  /** Returns the derivative by a further state, likewise; most laws depend on none. */
+  default double byState(int state) {
+    return 0;
+  }
 
   /** Returns the potential energy in the state of the last {@link #force}, J. */
   double potentialEnergy();

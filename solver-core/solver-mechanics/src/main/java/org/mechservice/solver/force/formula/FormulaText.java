@@ -153,6 +153,8 @@ public final class FormulaText {
       return place(point.point(), "v" + AXES[point.axis()]);
     } else if (leaf instanceof Expression.RelativeMotion relative) {
       return "motion[" + relative.component() + "]";
+    } else if (leaf instanceof Expression.PathMotion motion) {
+      return motion.isRate() ? "rate" : "length";
     } else if (leaf instanceof Expression.ClosestStation) {
       return "closest";
     }

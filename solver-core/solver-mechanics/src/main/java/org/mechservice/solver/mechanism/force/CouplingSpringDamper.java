@@ -28,6 +28,7 @@ import org.mechservice.solver.text.Origin;
  * @param side where it acts
  * @param smoothing length or angle over which a force on one side sets in, m or rad
  * @param dissipation χ, s/m or s/rad, not negative; zero on both sides
+ * @param watched formulas that tell where the form of x changes, which a step could pass over
  * @param points what a rope passes, in this order, for pictures; empty for other couplings
  * @param origin position in the model file
  */
@@ -42,10 +43,12 @@ public record CouplingSpringDamper(
     Side side,
     Expression smoothing,
     Expression dissipation,
+    List<Expression> watched,
     List<BodyPoint> points,
     Origin origin)
     implements ForceElement {
   public CouplingSpringDamper {
+    watched = List.copyOf(watched);
     points = List.copyOf(points);
   }
 
@@ -73,6 +76,7 @@ public record CouplingSpringDamper(
         side,
         smoothing,
         Expression.ZERO,
+        List.of(along),
         points,
         origin);
   }

@@ -17,6 +17,7 @@ public sealed interface ForceElement
         ForceTorque,
         JointForce,
         CouplingSpringDamper,
+        PathForce,
         Contact,
         JointFriction,
         PairForce,

@@ -25,6 +25,9 @@ public interface ForceVisitor<R> {
   /** Answers for a spring and damper along a coupling. */
   R couplingSpringDamper(CouplingSpringDamper force);
 
+  /** Answers for a tension along a path. */
+  R pathForce(PathForce force);
+
   /** Answers for a contact. */
   R contact(Contact force);
 
