@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Consumer;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.robot.MjcfForces.Site;
 import org.mechservice.robot.MjcfForces.Tendon;
@@ -17,6 +16,8 @@ import org.mechservice.robot.Robot.Freedom;
 import org.mechservice.robot.Robot.Input;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.JointForce;
+import org.mechservice.robot.Robot.Muscle;
+import org.mechservice.robot.Robot.PathTension;
 import org.mechservice.robot.Robot.State;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -116,6 +117,16 @@ final class MjcfActuators {
 
     /** Lets a force act. */
     void act(Element actuator, String name, String force);
+
+    /**
+     * Returns how fast the joints would move in a second if a unit of force acted for that long, as
+     * MuJoCo measures it for muscles; 0 if it is not defined.
+     */
+    double mobility();
+
+    /** Returns the muscle that pulls here; empty if the import has none such. */
+    Optional<Muscle> muscle(
+        Element actuator, String name, String excitation, Map<String, Double> given);
   }
 
   /** What an actuator may act on. */
@@ -126,6 +137,8 @@ final class MjcfActuators {
   private final Map<String, Site> sites;
   private final Map<String, Double> references;
   private final RobotInertia inertia;
+  private final MjcfLine.Placing placing;
+  private final Set<String> forceNames;
   private final RobotNumbers numbers;
   private final ImportLosses losses;
   private final List<Force> inputs = new ArrayList<>();
@@ -138,12 +151,16 @@ final class MjcfActuators {
       Map<String, Site> sites,
       Map<String, Double> references,
       RobotInertia inertia,
+      MjcfLine.Placing placing,
+      Set<String> forceNames,
       RobotNumbers numbers,
       ImportLosses losses) {
     this.joints = joints;
     this.sites = sites;
     this.references = references;
     this.inertia = inertia;
+    this.placing = placing;
+    this.forceNames = forceNames;
     this.numbers = numbers;
     this.losses = losses;
   }
@@ -196,16 +213,8 @@ final class MjcfActuators {
         + "))";
   }
 
-  /**
-   * Reads an actuator.
-   *
-   * @param mark adds the points that expressions of a line name
-   */
-  void read(
-      MjcfReader.Scope scope,
-      Element actuator,
-      Map<String, Tendon> tendons,
-      Consumer<MjcfLine> mark) {
+  /** Reads an actuator. */
+  void read(MjcfReader.Scope scope, Element actuator, Map<String, Tendon> tendons) {
     if (actuator.name().equals("adhesion")) {
       losses.contact(actuator, "left out: it acts where its body touches another");
       return;
@@ -214,12 +223,16 @@ final class MjcfActuators {
       numbers.missing(actuator, "a joint, tendon, site or body to act on");
       return;
     }
+    if (isMuscle(actuator)) {
+      readMuscle(scope, actuator, tendons);
+      return;
+    }
     Optional<Law> law = law(actuator);
     if (law.isEmpty()) {
       losses.motion(actuator, "a motor of this kind is left out");
       return;
     }
-    Optional<Transmission> found = transmission(scope, actuator, tendons, mark);
+    Optional<Transmission> found = transmission(scope, actuator, tendons);
     boolean still = found.filter(way -> way.velocity().isEmpty()).isPresent();
     if (found.isEmpty() || (still && law.get().feelsMotion())) {
       LossGrade grade = law.get().actsAlone() ? LossGrade.MOTION : LossGrade.CONTACT;
@@ -282,10 +295,7 @@ final class MjcfActuators {
   }
 
   private Optional<Transmission> transmission(
-      MjcfReader.Scope scope,
-      Element actuator,
-      Map<String, Tendon> tendons,
-      Consumer<MjcfLine> mark) {
+      MjcfReader.Scope scope, Element actuator, Map<String, Tendon> tendons) {
     List<Double> gear = new ArrayList<>(list(actuator, "gear"));
     if (gear.isEmpty()) {
       gear.add(1.0);
@@ -316,7 +326,7 @@ final class MjcfActuators {
     if (tendon.isPresent()) {
       double factor = gear.get(0);
       if (tendon.get().line().isPresent()) {
-        return Optional.of(alongLine(tendon.get().line().get(), factor, mark));
+        return Optional.of(alongLine(tendon.get().line().get(), factor));
       }
       Map<String, Double> moments = new LinkedHashMap<>();
       tendon.get().terms().forEach((joint, each) -> moments.put(joint, factor * each));
@@ -365,6 +375,21 @@ final class MjcfActuators {
       }
 
       @Override
+      public double mobility() {
+        return inertia.mobility(moments);
+      }
+
+      @Override
+      public Optional<Muscle> muscle(
+          Element actuator, String name, String excitation, Map<String, Double> given) {
+        Map<String, Double> numbers = new LinkedHashMap<>(given);
+        numbers.computeIfPresent("shortest", (key, length) -> length - offset);
+        numbers.computeIfPresent("longest", (key, length) -> length - offset);
+        return Optional.of(
+            new Muscle(actuator, forceName(name), List.of(), moments, excitation, numbers));
+      }
+
+      @Override
       public void act(Element actuator, String name, String force) {
         moments.forEach(
             (joint, factor) ->
@@ -375,21 +400,20 @@ final class MjcfActuators {
     };
   }
 
-  private Transmission alongLine(MjcfLine line, double factor, Consumer<MjcfLine> mark) {
+  private Transmission alongLine(MjcfLine line, double factor) {
     return new Transmission() {
       private String times(String text) {
-        mark.accept(line);
-        return factor == 1 ? text : "(" + MechmlText.number(factor) + ")*(" + text + ")";
+        return factor == 1 ? text : "(" + MechmlText.number(factor) + ")*" + text;
       }
 
       @Override
       public String length() {
-        return times(line.length());
+        return times("length");
       }
 
       @Override
       public Optional<String> velocity() {
-        return Optional.of(times(line.rate()));
+        return Optional.of(times("rate"));
       }
 
       @Override
@@ -404,10 +428,48 @@ final class MjcfActuators {
 
       @Override
       public void act(Element actuator, String name, String force) {
-        mark.accept(line);
-        pulls.addAll(line.forces(actuator, name, times(force)));
+        // a tension acts against growing length, MuJoCo's force along it
+        String tension = "-" + times(force);
+        pulls.add(new PathTension(actuator, forceName(name), line.stops(), tension));
+      }
+
+      @Override
+      public double mobility() {
+        return Math.abs(factor) * inertia.mobility(line.pulls(placing));
+      }
+
+      @Override
+      public Optional<Muscle> muscle(
+          Element actuator, String name, String excitation, Map<String, Double> given) {
+        return factor > 0
+            ? Optional.of(
+                new Muscle(
+                    actuator,
+                    forceName(name),
+                    line.stops(),
+                    Map.of(),
+                    excitation,
+                    scaled(given, factor)))
+            : Optional.empty();
       }
     };
+  }
+
+  /** Returns the numbers of a muscle on the length of its path, of which a gear makes more. */
+  private static Map<String, Double> scaled(Map<String, Double> given, double gear) {
+    Map<String, Double> numbers = new LinkedHashMap<>(given);
+    numbers.computeIfPresent("shortest", (name, length) -> length / gear);
+    numbers.computeIfPresent("longest", (name, length) -> length / gear);
+    numbers.computeIfPresent("force", (name, force) -> force * gear);
+    return numbers;
+  }
+
+  private String forceName(String name) {
+    String free = name;
+    while (!forceNames.add(free)) {
+      free += "_";
+    }
+    return free;
   }
 
   /** The force in world axes and the torque in the link's axes that act at a free joint's link. */
@@ -456,6 +518,17 @@ final class MjcfActuators {
       }
 
       @Override
+      public double mobility() {
+        return 0;
+      }
+
+      @Override
+      public Optional<Muscle> muscle(
+          Element actuator, String name, String excitation, Map<String, Double> given) {
+        return Optional.empty();
+      }
+
+      @Override
       public void act(Element actuator, String name, String strength) {
         if (!force.equals(Vector3.ZERO)) {
           pulls.add(
@@ -479,12 +552,159 @@ final class MjcfActuators {
         "(" + MechmlText.number(v.z()) + ")*" + strength);
   }
 
-  private void addForce(
-      Element actuator,
-      MjcfReader.Scope scope,
-      Law law,
-      Transmission way,
-      Optional<List<Double>> inherited) {
+  private static boolean isMuscle(Element actuator) {
+    return actuator.name().equals("muscle")
+        || List.of("gaintype", "biastype", "dyntype").stream()
+            .anyMatch(
+                kind ->
+                    actuator.name().equals("general")
+                        && actuator.attribute(kind).filter("muscle"::equals).isPresent());
+  }
+
+  /** The numbers of a muscle in the order of {@code gainprm}, with MuJoCo's values. */
+  private static final List<Map.Entry<String, Double>> GAIN =
+      List.of(
+          Map.entry("low", 0.75),
+          Map.entry("high", 1.05),
+          Map.entry("force", -1.0),
+          Map.entry("scale", 200.0),
+          Map.entry("lmin", 0.5),
+          Map.entry("lmax", 1.6),
+          Map.entry("vmax", 1.5),
+          Map.entry("fpmax", 1.3),
+          Map.entry("fvmax", 1.2));
+
+  private void readMuscle(MjcfReader.Scope scope, Element actuator, Map<String, Tendon> tendons) {
+    Optional<Map<String, Double>> read =
+        actuator.name().equals("muscle")
+            ? Optional.of(shortcut(actuator))
+            : generalMuscle(actuator);
+    Optional<List<Double>> range =
+        actuator
+            .attribute("lengthrange")
+            .map(text -> numbers.read(actuator, "lengthrange", text, 2, 2))
+            .filter(ends -> ends.get(0) < ends.get(1));
+    Optional<Transmission> way = transmission(scope, actuator, tendons);
+    if (read.isEmpty() || range.isEmpty() || way.isEmpty()) {
+      losses.motion(
+          actuator,
+          read.isEmpty()
+              ? "it is left out: its gain, bias and dynamics are not all those of one muscle"
+              : range.isEmpty()
+                  ? "it is left out: it has no lengthrange, which MuJoCo finds by simulation; save"
+                      + " the model from MuJoCo"
+                  : "it is left out: muscles act on hinges, slides and tendons here");
+      return;
+    }
+    Map<String, Double> given = read.get();
+    double force = given.getOrDefault("force", -1.0);
+    if (force < 0) {
+      force = given.getOrDefault("scale", 0.0) / Math.max(1e-15, way.get().mobility());
+    }
+    given.put("force", force);
+    given.remove("scale");
+    given.put("shortest", range.get().get(0));
+    given.put("longest", range.get().get(1));
+    String name = inputName(actuator, scope);
+    Optional<Muscle> muscle = way.get().muscle(actuator, name, excitation(actuator, name), given);
+    if (muscle.isEmpty()
+        || range(actuator, "force").isPresent()
+        || actuator.attribute("actearly").filter("true"::equals).isPresent()) {
+      losses.motion(
+          actuator,
+          muscle.isEmpty()
+              ? "it is left out: muscles act on hinges, slides and tendons with a positive gear here"
+              : "its forcerange and actearly are left out");
+    }
+    inputs.add(new Input(actuator, name, "1"));
+    muscle.ifPresent(pulls::add);
+  }
+
+  private String excitation(Element actuator, String name) {
+    String u = MechmlText.name(name);
+    return range(actuator, "ctrl").map(ends -> clamped(u, ends)).orElse(u);
+  }
+
+  /**
+   * Returns the numbers of a muscle that has attributes of its own. Those that it lacks come from
+   * the numbers of a general actuator of its class, where these are not MuJoCo's own.
+   */
+  private Map<String, Double> shortcut(Element actuator) {
+    Map<String, Double> all = ofClass(actuator);
+    for (Map.Entry<String, Double> one : GAIN) {
+      if (actuator.attribute(one.getKey()).isPresent()) {
+        all.put(one.getKey(), numbers.optional(actuator, one.getKey(), one.getValue()));
+      }
+    }
+    actuator
+        .attribute("range")
+        .map(text -> numbers.read(actuator, "range", text, 2, 2))
+        .ifPresent(
+            ends -> {
+              all.put("low", ends.get(0));
+              all.put("high", ends.get(1));
+            });
+    actuator
+        .attribute("timeconst")
+        .map(text -> numbers.read(actuator, "timeconst", text, 1, 2))
+        .ifPresent(
+            times -> {
+              all.put("activationTime", times.get(0));
+              if (times.size() > 1) {
+                all.put("deactivationTime", times.get(1));
+              }
+            });
+    if (actuator.attribute("tausmooth").isPresent()) {
+      all.put("blend", numbers.optional(actuator, "tausmooth", 0));
+    }
+    return all;
+  }
+
+  private Map<String, Double> ofClass(Element actuator) {
+    List<Double> gain = padded(list(actuator, "gainprm"), GAIN.size());
+    Map<String, Double> all = new LinkedHashMap<>();
+    for (int i = 0; i < GAIN.size(); i++) {
+      boolean own = gain.get(i) == (i == 0 ? 1 : 0);
+      all.put(GAIN.get(i).getKey(), own || gain.get(i) == 0 ? GAIN.get(i).getValue() : gain.get(i));
+    }
+    List<Double> times = padded(list(actuator, "dynprm"), 3);
+    all.put("activationTime", times.get(0) == 0 || times.get(0) == 1 ? 0.01 : times.get(0));
+    all.put("deactivationTime", times.get(1) == 0 ? 0.04 : times.get(1));
+    all.put("blend", times.get(2));
+    return all;
+  }
+
+  /** Returns the numbers of a general actuator that is a muscle; empty if it is no whole one. */
+  private Optional<Map<String, Double>> generalMuscle(Element actuator) {
+    boolean whole =
+        List.of("gaintype", "biastype", "dyntype").stream()
+            .allMatch(kind -> actuator.attribute(kind).filter("muscle"::equals).isPresent());
+    List<Double> gain = padded(list(actuator, "gainprm"), GAIN.size());
+    List<Double> bias = padded(list(actuator, "biasprm"), GAIN.size());
+    if (!whole || !gain.equals(bias)) {
+      return Optional.empty();
+    }
+    Map<String, Double> all = new LinkedHashMap<>();
+    for (int i = 0; i < GAIN.size(); i++) {
+      all.put(GAIN.get(i).getKey(), gain.get(i));
+    }
+    List<Double> times = padded(list(actuator, "dynprm"), 3);
+    all.put("activationTime", times.get(0));
+    all.put("deactivationTime", times.get(1));
+    all.put("blend", times.get(2));
+    return Optional.of(all);
+  }
+
+  private static List<Double> padded(List<Double> given, int count) {
+    List<Double> all = new ArrayList<>(given);
+    while (all.size() < count) {
+      all.add(0.0);
+    }
+    return List.copyOf(all.subList(0, count));
+  }
+
+  /** Returns a name for the input of an actuator. */
+  private String inputName(Element actuator, MjcfReader.Scope scope) {
     String target =
         actuator
             .attribute("joint")
@@ -498,6 +718,16 @@ final class MjcfActuators {
     while (!names.add(name)) {
       name += "_";
     }
+    return name;
+  }
+
+  private void addForce(
+      Element actuator,
+      MjcfReader.Scope scope,
+      Law law,
+      Transmission way,
+      Optional<List<Double>> inherited) {
+    String name = inputName(actuator, scope);
     boolean speeds = actuator.name().matches("velocity|intvelocity");
     boolean commands = speeds || actuator.name().equals("position");
     boolean turns = way.turns();

@@ -105,6 +105,9 @@ record MjcfFile(Element root, Path folder) {
     }
   }
 
+  /** Lists of numbers of which an element may have the first alone. */
+  private static final Set<String> LISTS = Set.of("gainprm", "biasprm", "dynprm", "gear");
+
   /** The default classes of a file. */
   private static final class Defaults {
     private final Diagnostics diagnostics;
@@ -136,7 +139,10 @@ record MjcfFile(Element root, Path folder) {
             if (ORIENTATIONS.contains(attribute.name())) {
               ORIENTATIONS.forEach(values::remove);
             }
-            values.put(attribute.name(), attribute.value());
+            values.merge(
+                attribute.name(),
+                attribute.value(),
+                (known, value) -> overlaid(attribute.name(), value, known));
           }
         }
       }
@@ -146,7 +152,21 @@ record MjcfFile(Element root, Path folder) {
     private static void inherit(
         Map<String, Map<String, String>> own, String tag, Map<String, String> values) {
       Map<String, String> kept = own.computeIfAbsent(tag, key -> new HashMap<>());
-      values.forEach(kept::putIfAbsent);
+      values.forEach(
+          (name, value) -> kept.merge(name, value, (known, other) -> overlaid(name, known, other)));
+    }
+
+    /** Returns the numbers of an element, and behind them those that its class has more. */
+    private static String overlaid(String name, String own, String ofClass) {
+      if (!LISTS.contains(name)) {
+        return own;
+      }
+      List<String> all = new ArrayList<>(List.of(own.strip().split("\\s+", -1)));
+      List<String> more = List.of(ofClass.strip().split("\\s+", -1));
+      if (all.size() < more.size()) {
+        all.addAll(more.subList(all.size(), more.size()));
+      }
+      return String.join(" ", all);
     }
 
     /** Returns the file without its sections default, with their values in the elements. */
@@ -232,7 +252,7 @@ record MjcfFile(Element root, Path folder) {
                 (name, value) -> {
                   if (!(turned && (ORIENTATIONS.contains(name) || name.equals("fromto")))
                       && !(ended && (ORIENTATIONS.contains(name) || name.equals("pos")))) {
-                    merged.putIfAbsent(name, value);
+                    merged.merge(name, value, (own0, more) -> overlaid(name, own0, more));
                   }
                 });
       }

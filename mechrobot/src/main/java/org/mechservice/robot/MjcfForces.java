@@ -14,16 +14,20 @@ import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.robot.Robot.Around;
+import org.mechservice.robot.Robot.Branch;
 import org.mechservice.robot.Robot.Coupling;
 import org.mechservice.robot.Robot.CouplingSpring;
+import org.mechservice.robot.Robot.Eye;
 import org.mechservice.robot.Robot.Force;
 import org.mechservice.robot.Robot.Frame;
 import org.mechservice.robot.Robot.Freedom;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Loop;
-import org.mechservice.robot.Robot.Mark;
+import org.mechservice.robot.Robot.PathSpring;
 import org.mechservice.robot.Robot.PointSpring;
 import org.mechservice.robot.Robot.Stop;
+import org.mechservice.robot.Robot.Waypoint;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -40,7 +44,20 @@ final class MjcfForces {
    * @param link that has it
    * @param frame in the link
    */
-  record Site(String link, Frame frame) {}
+  record Site(String link, Frame frame) {
+    Eye eye() {
+      return new Eye(link, frame.at());
+    }
+  }
+
+  /**
+   * A shape with a name.
+   *
+   * @param element its element in the file
+   * @param link that has it
+   * @param frame in the link; the axis of a cylinder is its z axis
+   */
+  record Geom(Element element, String link, Frame frame) {}
 
   /**
    * A tendon over joints, whose length is a sum of positions, or over sites.
@@ -64,6 +81,7 @@ final class MjcfForces {
   private final Map<String, Joint> joints = new LinkedHashMap<>();
   private final Map<String, Frame> inWorld;
   private final Map<String, Site> sites;
+  private final Map<String, Geom> geoms;
   private final Map<String, Double> references;
   private final MjcfOptions options;
   private final RobotNumbers numbers;
@@ -76,14 +94,13 @@ final class MjcfForces {
   private final List<Force> forces = new ArrayList<>();
   private final Set<String> constraintNames = new HashSet<>();
   private final Set<String> forceNames = new HashSet<>();
-  private final Set<String> lineNames = new HashSet<>();
-  private final Set<MjcfLine> marked = new HashSet<>();
   private final Set<Element> done = new HashSet<>();
 
   MjcfForces(
       List<Joint> joints,
       Map<String, Frame> inWorld,
       Map<String, Site> sites,
+      Map<String, Geom> geoms,
       Map<String, Double> references,
       RobotInertia inertia,
       MjcfOptions options,
@@ -93,13 +110,16 @@ final class MjcfForces {
     joints.forEach(joint -> this.joints.put(joint.name(), joint));
     this.inWorld = inWorld;
     this.sites = sites;
+    this.geoms = geoms;
     this.references = references;
     this.options = options;
     this.numbers = numbers;
     this.diagnostics = diagnostics;
     this.losses = losses;
     this.inertia = inertia;
-    actuators = new MjcfActuators(this.joints, sites, references, inertia, numbers, losses);
+    actuators =
+        new MjcfActuators(
+            this.joints, sites, references, inertia, this::pose, forceNames, numbers, losses);
   }
 
   List<Loop> loops() {
@@ -138,7 +158,7 @@ final class MjcfForces {
       for (Element actuator : scope.file().all("actuator")) {
         int group = (int) numbers.optional(actuator, "group", 0);
         if (isPart(scope, actuator, whole) && !options.silent().contains(group)) {
-          actuators.read(scope, actuator, tendons, this::mark);
+          actuators.read(scope, actuator, tendons);
         }
       }
     }
@@ -154,6 +174,7 @@ final class MjcfForces {
                   name ->
                       joints.keySet().stream().anyMatch(known -> isReplica(known, name))
                           || inWorld.keySet().stream().anyMatch(known -> isReplica(known, name))
+                          || geoms.keySet().stream().anyMatch(known -> isReplica(known, name))
                           || sites.keySet().stream().anyMatch(known -> isReplica(known, name)));
       return !replicated && done.add(element);
     }
@@ -170,14 +191,28 @@ final class MjcfForces {
   }
 
   private boolean exists(String name) {
-    return joints.containsKey(name) || inWorld.containsKey(name) || sites.containsKey(name);
+    return joints.containsKey(name)
+        || inWorld.containsKey(name)
+        || sites.containsKey(name)
+        || geoms.containsKey(name);
   }
 
   /** Returns the names of joints, bodies and sites that an element has. */
   private static List<String> names(Element element) {
     List<String> all = new ArrayList<>();
     for (String attribute :
-        List.of("joint", "joint1", "joint2", "body1", "body2", "site1", "site2", "site", "body")) {
+        List.of(
+            "joint",
+            "joint1",
+            "joint2",
+            "body1",
+            "body2",
+            "site1",
+            "site2",
+            "site",
+            "sidesite",
+            "geom",
+            "body")) {
       element.attribute(attribute).ifPresent(all::add);
     }
     element.children().forEach(child -> all.addAll(names(child)));
@@ -272,7 +307,12 @@ final class MjcfForces {
   }
 
   private Frame world(Site site) {
-    return inWorld.getOrDefault(site.link(), Frame.SAME).times(site.frame());
+    return pose(site.link(), site.frame());
+  }
+
+  /** Returns a frame of a link in the world, in the pose of the file. */
+  private Frame pose(String link, Frame frame) {
+    return inWorld.getOrDefault(link, Frame.SAME).times(frame);
   }
 
   private Optional<Site> end(MjcfReader.Scope scope, Element equality, String number) {
@@ -410,12 +450,6 @@ final class MjcfForces {
     Optional<Tendon> read =
         tendon.name().equals("fixed") ? overJoints(scope, tendon) : overSites(scope, tendon);
     if (read.isEmpty()) {
-      if (tendon.name().equals("spatial") && (stiffness != 0 || damping != 0)) {
-        losses.motion(tendon, "its spring and damper are left out: it goes around shapes");
-      }
-      if (tendon.name().equals("spatial") && range.isPresent()) {
-        losses.motion(tendon, "its range is left out: it goes around shapes");
-      }
       return;
     }
     tendon.attribute("name").ifPresent(name -> tendons.put(scope.named(name), read.get()));
@@ -452,43 +486,109 @@ final class MjcfForces {
     return Optional.of(new Tendon(tendon, terms, start, angle, Optional.empty()));
   }
 
-  /** Returns a tendon that goes straight from site to site; empty if it goes around shapes. */
+  /** Returns a tendon over sites and shapes; empty after a reported error. */
   private Optional<Tendon> overSites(MjcfReader.Scope scope, Element tendon) {
-    MjcfLine line = new MjcfLine(tendon, made(tendon, "tendon", lineNames));
-    List<Site> stretch = new ArrayList<>();
-    double factor = 1;
+    List<Waypoint> stops = new ArrayList<>();
     for (Element part : tendon.children()) {
-      switch (part.name()) {
-        case "site" -> {
-          String name = part.attribute("site").orElse("");
-          Site site = sites.get(scope.named(name));
-          if (site == null) {
-            unknown(part, "site", name, sites.keySet());
-            return Optional.empty();
-          }
-          stretch.add(site);
-        }
-        case "pulley" -> {
-          line.add(stretch, factor);
-          stretch.clear();
-          double divisor = numbers.required(part, "divisor");
-          if (!(divisor > 0)) {
-            numbers.contradiction(part, "divisor is " + divisor + "; it must be positive");
-            return Optional.empty();
-          }
-          factor = 1 / divisor;
-        }
-        default -> {
-          return Optional.empty();
-        }
+      Optional<Waypoint> stop =
+          switch (part.name()) {
+            case "site" -> site(scope, part, "site").map(one -> (Waypoint) one.eye());
+            case "geom" -> shape(scope, part);
+            default -> {
+              double divisor = numbers.required(part, "divisor");
+              if (!(divisor > 0)) {
+                numbers.contradiction(part, "divisor is " + divisor + "; it must be positive");
+              }
+              yield divisor > 0
+                  ? Optional.of((Waypoint) new Branch(1 / divisor))
+                  : Optional.empty();
+            }
+          };
+      if (stop.isEmpty()) {
+        return Optional.empty();
+      }
+      stops.add(stop.get());
+    }
+    for (int i = 0; i < stops.size(); i++) {
+      boolean between =
+          i > 0
+              && i < stops.size() - 1
+              && stops.get(i - 1) instanceof Eye
+              && stops.get(i + 1) instanceof Eye;
+      if (!(stops.get(i) instanceof Eye) && !between) {
+        numbers.contradiction(
+            tendon.children().get(i), "it stands between no two sites of its tendon");
+        return Optional.empty();
       }
     }
-    line.add(stretch, factor);
-    return Optional.of(new Tendon(tendon, Map.of(), 0, false, Optional.of(line)));
+    if (stops.size() < 2) {
+      numbers.missing(tendon, "two sites");
+      return Optional.empty();
+    }
+    return Optional.of(new Tendon(tendon, Map.of(), 0, false, Optional.of(new MjcfLine(stops))));
   }
 
-  private Vector3 place(Mark mark) {
-    return world(new Site(mark.link(), new Frame(mark.at(), Rotation.IDENTITY))).at();
+  private Optional<Site> site(MjcfReader.Scope scope, Element part, String attribute) {
+    String name = part.attribute(attribute).orElse("");
+    Optional<Site> site = Optional.ofNullable(sites.get(scope.named(name)));
+    if (site.isEmpty()) {
+      unknown(part, "site", name, sites.keySet());
+    }
+    return site;
+  }
+
+  private Optional<Waypoint> shape(MjcfReader.Scope scope, Element part) {
+    String name = part.attribute("geom").orElse("");
+    Geom geom = geoms.get(scope.named(name));
+    if (geom == null) {
+      unknown(part, "geom", name, geoms.keySet());
+      return Optional.empty();
+    }
+    String type = geom.element().attribute("type").orElse("sphere");
+    if (!type.equals("sphere") && !type.equals("cylinder")) {
+      numbers.contradiction(
+          part,
+          "geom "
+              + Quoted.of(name)
+              + " is a "
+              + type
+              + "; tendons go around spheres and"
+              + " cylinders");
+      return Optional.empty();
+    }
+    Optional<Site> side = Optional.empty();
+    if (part.attribute("sidesite").isPresent()) {
+      side = site(scope, part, "sidesite");
+      if (side.isEmpty()) {
+        return Optional.empty();
+      }
+    }
+    double radius =
+        geom.element()
+            .attribute("size")
+            .map(text -> numbers.read(geom.element(), "size", text, 1, 3).get(0))
+            .orElse(0.0);
+    if (!(radius > 0) || geom.element().attribute("mesh").isPresent()) {
+      losses.motion(part, "it is left out: geom " + Quoted.of(name) + " has no size of its own");
+      return Optional.empty();
+    }
+    boolean inside = false;
+    if (side.isPresent()) {
+      Frame centre = world(new Site(geom.link(), geom.frame()));
+      inside = world(side.get()).at().minus(centre.at()).norm() < radius;
+      if (!moves(side.get().link()).equals(moves(geom.link()))) {
+        losses.motion(
+            part, "sidesite counts as " + (inside ? "inside" : "outside") + " of the geom always");
+      }
+    }
+    return Optional.of(
+        new Around(
+            geom.link(),
+            geom.frame(),
+            type.equals("cylinder"),
+            radius,
+            side.map(Site::eye),
+            inside));
   }
 
   private double first(Element element, String name) {
@@ -513,8 +613,8 @@ final class MjcfForces {
     double low = given ? lengths.get(0) - tendon.start() : free(element, tendon, stiffness);
     double high = given && lengths.size() > 1 ? lengths.get(1) - tendon.start() : low;
     boolean slack = high > low;
-    List<Mark> ends = tendon.line().map(MjcfLine::marks).orElse(List.of());
-    if (ends.size() == 2 && !slack && (stiffness != 0 || damping != 0)) {
+    List<Eye> ends = tendon.line().flatMap(MjcfLine::straight).orElse(List.of());
+    if (!ends.isEmpty() && !slack && (stiffness != 0 || damping != 0)) {
       forces.add(
           new PointSpring(
               element,
@@ -556,7 +656,7 @@ final class MjcfForces {
             element,
             "its free length is that in the pose of the file: springref of joints is left out");
       }
-      free = tendon.line().get().length(this::place);
+      free = tendon.line().get().length(this::pose);
     }
     return free;
   }
@@ -575,7 +675,7 @@ final class MjcfForces {
     double held =
         tendon
             .line()
-            .map(line -> inertia.free(line.pulls(this::place)))
+            .map(line -> inertia.free(line.pulls(this::pose)))
             .orElseGet(() -> inertia.free(tendon.terms()));
     double m = held > 0 ? held : 1;
     double stiffness = m / Math.pow(stop.time() * stop.ratio(), 2);
@@ -597,24 +697,11 @@ final class MjcfForces {
       double rest,
       String side) {
     String name = made(element, "tendon " + what, forceNames);
-    tendon.line().ifPresent(this::mark);
     forces.add(
-        new CouplingSpring(
-            element,
-            name,
-            tendon.angle(),
-            tendon.terms(),
-            tendon.line().map(MjcfLine::length),
-            stiffness,
-            damping,
-            rest,
-            side));
-  }
-
-  /** Adds the points that expressions of a line name, once. */
-  private void mark(MjcfLine line) {
-    if (marked.add(line)) {
-      forces.addAll(line.marks());
-    }
+        tendon.line().isPresent()
+            ? new PathSpring(
+                element, name, tendon.line().get().stops(), stiffness, damping, rest, side)
+            : new CouplingSpring(
+                element, name, tendon.angle(), tendon.terms(), stiffness, damping, rest, side));
   }
 }

@@ -121,7 +121,8 @@ final class MjcfGeometry {
     return all;
   }
 
-  private Frame placed(Element geometry) {
+  /** Returns the frame of a shape, as far as its mesh does not move it. */
+  Frame placed(Element geometry) {
     List<Double> e =
         geometry
             .attribute("fromto")

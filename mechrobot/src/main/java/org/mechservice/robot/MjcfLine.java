@@ -1,156 +1,153 @@
 package org.mechservice.robot;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
-import org.mechservice.mechml.document.Element;
-import org.mechservice.robot.MjcfForces.Site;
-import org.mechservice.robot.Robot.BodyForce;
-import org.mechservice.robot.Robot.Force;
-import org.mechservice.robot.Robot.Mark;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import org.mechservice.robot.Robot.Around;
+import org.mechservice.robot.Robot.Branch;
+import org.mechservice.robot.Robot.Eye;
+import org.mechservice.robot.Robot.Frame;
+import org.mechservice.robot.Robot.Waypoint;
+import org.mechservice.solver.force.law.Wrap;
+import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.Differentiation;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
- * The line of a spatial tendon over sites: straight from each to the next one. Its length is the
- * sum of the parts, of which those behind a pulley count less.
+ * The line of a spatial tendon from site to site, also around spheres and cylinders. Its length is
+ * the sum of the parts, of which those behind a pulley count less.
  */
 final class MjcfLine {
-  private static final List<String> AXES = List.of("x", "y", "z");
+  private static final List<Vector3> AXES =
+      List.of(new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1));
 
-  /** A part between two marks, and how much of its length counts. */
-  private record Part(Mark from, Mark to, double factor) {
-    String difference(String component) {
-      return "(" + to.part(component) + " - " + from.part(component) + ")";
-    }
+  /** A part between two eyes, straight or around a shape, and how much of its length counts. */
+  private record Part(Eye from, Optional<Around> around, Eye to, double share) {}
 
-    String length() {
-      return "sqrt("
-          + String.join(" + ", AXES.stream().map(x -> difference(x) + "^2").toList())
-          + ")";
-    }
+  /** Where the frame of a link and a frame in it are, with the bodies in given places. */
+  interface Placing extends BiFunction<String, Frame, Frame> {}
 
-    String rate() {
-      return "("
-          + String.join(
-              " + ", AXES.stream().map(x -> difference(x) + "*" + difference("v" + x)).toList())
-          + ")/"
-          + length();
-    }
-  }
-
-  private final Element tendon;
-  private final String name;
-  private final List<Mark> marks = new ArrayList<>();
+  private final List<Waypoint> stops;
   private final List<Part> parts = new ArrayList<>();
 
   /**
-   * @param name of the tendon, for the names of its marks
+   * @param stops eyes at both ends, and on both sides of each shape and branch
    */
-  MjcfLine(Element tendon, String name) {
-    this.tendon = tendon;
-    this.name = name;
-  }
-
-  /** Adds a stretch of sites, one behind the other, of whose length a part counts. */
-  void add(List<Site> sites, double factor) {
-    Mark before = null;
-    for (Site site : sites) {
-      Mark mark = new Mark(tendon, name + " site " + marks.size(), site.link(), site.frame().at());
-      marks.add(mark);
-      if (before != null) {
-        parts.add(new Part(before, mark, factor));
+  MjcfLine(List<Waypoint> stops) {
+    this.stops = List.copyOf(stops);
+    double share = 1;
+    for (int i = 0; i < stops.size(); i++) {
+      if (stops.get(i) instanceof Branch branch) {
+        share = branch.share();
+      } else if (i > 0 && stops.get(i) instanceof Eye to) {
+        if (stops.get(i - 1) instanceof Eye from) {
+          parts.add(new Part(from, Optional.empty(), to, share));
+        } else if (stops.get(i - 1) instanceof Around around) {
+          parts.add(new Part((Eye) stops.get(i - 2), Optional.of(around), to, share));
+        }
       }
-      before = mark;
     }
   }
 
-  /** Returns the points that the expressions name. */
-  List<Mark> marks() {
-    return marks;
-  }
-
-  /** Returns its length in MechML, m. */
-  String length() {
-    return sum(Part::length);
-  }
-
-  /** Returns the rate of its length in MechML, m/s. */
-  String rate() {
-    return sum(Part::rate);
-  }
-
-  private String sum(Function<Part, String> what) {
-    return String.join(
-        " + ",
-        parts.stream()
-            .map(
-                part ->
-                    (part.factor() == 1 ? "" : "(" + MechmlText.number(part.factor()) + ")*")
-                        + what.apply(part))
-            .toList());
+  /** Returns what it passes. */
+  List<Waypoint> stops() {
+    return stops;
   }
 
   /** Returns its length with the bodies in given places, m. */
-  double length(Function<Mark, Vector3> place) {
+  double length(Placing placing) {
     return parts.stream()
-        .mapToDouble(
-            part -> part.factor() * place.apply(part.to()).minus(place.apply(part.from())).norm())
+        .mapToDouble(part -> part.share() * lengthAndSlopes(part, placing)[0])
         .sum();
   }
 
-  /** Returns what each of its ends would move by if the line grew, with the bodies in places. */
-  List<RobotInertia.Pull> pulls(Function<Mark, Vector3> place) {
+  private static Vector3 at(Eye eye, Placing placing) {
+    return placing.apply(eye.link(), new Frame(eye.at(), Rotation.IDENTITY)).at();
+  }
+
+  /** Returns the length of a part, then its slopes by the places of its ends. */
+  private static double[] lengthAndSlopes(Part part, Placing placing) {
+    Vector3 from = at(part.from(), placing);
+    Vector3 to = at(part.to(), placing);
+    Program program = new Program();
+    Expressions e = program.expressions();
+    Scalar length = length(e, part, ends(e, 0), ends(e, 3), placing);
+    program.section("length and slopes", "length");
+    program.output(0, length);
+    for (int i = 0; i < 6; i++) {
+      program.output(1 + i, new Differentiation(e, Map.of(e.input(i), e.one())).of(length));
+    }
+    double[] values = new double[7];
+    program.evaluate(new double[] {from.x(), from.y(), from.z(), to.x(), to.y(), to.z()}, values);
+    return values;
+  }
+
+  private static ScalarVector ends(Expressions e, int first) {
+    return new ScalarVector(e.input(first), e.input(first + 1), e.input(first + 2));
+  }
+
+  private static Scalar length(
+      Expressions e, Part part, ScalarVector from, ScalarVector to, Placing placing) {
+    if (part.around().isEmpty()) {
+      ScalarVector way = to.minus(from);
+      return way.dot(way).squareRoot();
+    }
+    Around shape = part.around().get();
+    Frame frame = placing.apply(shape.link(), shape.frame());
+    ScalarVector centre = ScalarVector.of(e, frame.at());
+    List<ScalarVector> axes =
+        AXES.stream().map(one -> ScalarVector.of(e, frame.turn().apply(one))).toList();
+    Wrap wrap =
+        new Wrap(
+            e,
+            from.minus(centre),
+            to.minus(centre),
+            shape.cylinder() ? Optional.of(axes.get(2)) : Optional.empty(),
+            e.constant(shape.radius()));
+    if (shape.inside()) {
+      return wrap.inside(axes, RobotActions.TOLERANCE_OF_MUJOCO).length();
+    } else if (shape.side().isPresent()) {
+      ScalarVector side = ScalarVector.of(e, at(shape.side().get(), placing));
+      return wrap.beside(side.minus(centre)).length();
+    }
+    return wrap.shortest().length();
+  }
+
+  /**
+   * Returns what each of its ends would move by if the line grew, with the bodies in places. On a
+   * shape the line pulls towards its centre; along the axis of a cylinder that is near it.
+   */
+  List<RobotInertia.Pull> pulls(Placing placing) {
     List<RobotInertia.Pull> all = new ArrayList<>();
     for (Part part : parts) {
-      Vector3 along = place.apply(part.to()).minus(place.apply(part.from()));
-      if (along.norm() > 0) {
-        Vector3 pull = along.times(part.factor() / along.norm());
-        all.add(new RobotInertia.Pull(part.to().link(), place.apply(part.to()), pull));
-        all.add(
-            new RobotInertia.Pull(part.from().link(), place.apply(part.from()), pull.negated()));
-      }
+      Vector3 from = at(part.from(), placing);
+      Vector3 to = at(part.to(), placing);
+      double[] slopes = lengthAndSlopes(part, placing);
+      Vector3 atStart = new Vector3(slopes[1], slopes[2], slopes[3]).times(part.share());
+      Vector3 atEnd = new Vector3(slopes[4], slopes[5], slopes[6]).times(part.share());
+      all.add(new RobotInertia.Pull(part.to().link(), to, atEnd));
+      all.add(new RobotInertia.Pull(part.from().link(), from, atStart));
+      part.around()
+          .ifPresent(
+              shape ->
+                  all.add(
+                      new RobotInertia.Pull(
+                          shape.link(),
+                          placing.apply(shape.link(), shape.frame()).at(),
+                          atStart.plus(atEnd).negated())));
     }
     return all;
   }
 
-  /**
-   * Returns the forces of a motor that makes the line longer.
-   *
-   * @param motor its element
-   * @param owner a name for the forces
-   * @param force in MechML, N
-   */
-  List<Force> forces(Element motor, String owner, String force) {
-    Map<Mark, List<String>> all = new LinkedHashMap<>();
-    for (Part part : parts) {
-      String each = "(" + MechmlText.number(part.factor()) + ")*(" + force + ")/" + part.length();
-      for (Mark end : List.of(part.to(), part.from())) {
-        List<String> sums = all.computeIfAbsent(end, key -> new ArrayList<>());
-        String sign = end.equals(part.to()) ? "" : "-";
-        for (int i = 0; i < 3; i++) {
-          String one = sign + each + "*" + part.difference(AXES.get(i));
-          if (sums.size() <= i) {
-            sums.add(one);
-          } else {
-            sums.set(i, sums.get(i) + " + " + one);
-          }
-        }
-      }
-    }
-    List<Force> acting = new ArrayList<>();
-    all.forEach(
-        (mark, force3) ->
-            acting.add(
-                new BodyForce(
-                    motor,
-                    owner + " " + acting.size(),
-                    mark.link(),
-                    mark.at(),
-                    false,
-                    force3,
-                    List.of())));
-    return acting;
+  /** Returns its ends if it is one straight part. */
+  Optional<List<Eye>> straight() {
+    boolean one = stops.size() == 2 && parts.size() == 1;
+    return one ? Optional.of(List.of(parts.get(0).from(), parts.get(0).to())) : Optional.empty();
   }
 }

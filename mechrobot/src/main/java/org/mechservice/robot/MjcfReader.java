@@ -60,6 +60,7 @@ final class MjcfReader {
   private final Set<String> given = new HashSet<>();
   private final Map<String, Frame> inWorld = new HashMap<>();
   private final Map<String, MjcfForces.Site> sites = new HashMap<>();
+  private final Map<String, MjcfForces.Geom> geoms = new HashMap<>();
   private final Map<String, Double> references = new HashMap<>();
   private final Map<String, Double> weightless = new LinkedHashMap<>();
 
@@ -128,7 +129,7 @@ final class MjcfReader {
     collectNames(root);
     List<Element> worlds = root.children("worldbody");
     List<MjcfGeometry.Held> ground = new ArrayList<>();
-    worlds.forEach(world -> collect(scope, world, Frame.SAME, new ArrayList<>(), ground));
+    worlds.forEach(world -> collect(scope, world, WORLD, Frame.SAME, new ArrayList<>(), ground));
     links.add(new Link(root, WORLD, Optional.empty(), looks(scope, ground)));
     linkNames.add(WORLD);
     inWorld.put(WORLD, Frame.SAME);
@@ -165,7 +166,16 @@ final class MjcfReader {
     turnBack();
     MjcfForces more =
         new MjcfForces(
-            joints, inWorld, sites, references, inertia, options, numbers, diagnostics, losses);
+            joints,
+            inWorld,
+            sites,
+            geoms,
+            references,
+            inertia,
+            options,
+            numbers,
+            diagnostics,
+            losses);
     scopes.forEach(more::read);
     forces.addAll(more.forces());
     boolean alignsFree = compiler.setting("alignfree").filter("true"::equals).isPresent();
@@ -511,7 +521,7 @@ final class MjcfReader {
     }
     List<HeldJoint> held = new ArrayList<>();
     List<MjcfGeometry.Held> shapes = new ArrayList<>();
-    collect(scope, body, Frame.SAME, held, shapes);
+    collect(scope, body, name, Frame.SAME, held, shapes);
     if (body.attribute("mocap").filter("true"::equals).isPresent()
         && !(held.isEmpty() && parent.equals(WORLD))) {
       numbers.contradiction(
@@ -555,7 +565,9 @@ final class MjcfReader {
       return read;
     }
     Inertial inertial =
-        read.orElse(new Inertial(body, Frame.SAME, 0, List.of(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)));
+        read.orElseGet(
+            () -> // a body without mass gets its own there as far from itself as from its parent
+            new Inertial(body, compiler.frame(body), 0, List.of(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)));
     PrincipalAxes axes = PrincipalAxes.of(inertial.moments());
     double[] moments = axes.moments();
     Arrays.setAll(moments, k -> Math.max(moments[k], leastMoment));
@@ -575,6 +587,7 @@ final class MjcfReader {
   private void collect(
       Scope scope,
       Element around,
+      String link,
       Frame frame,
       List<HeldJoint> held,
       List<MjcfGeometry.Held> shapes) {
@@ -586,14 +599,22 @@ final class MjcfReader {
             touching = touching.or(() -> Optional.of(part));
           }
           shapes.add(new MjcfGeometry.Held(part, frame));
+          part.attribute("name")
+              .ifPresent(
+                  own ->
+                      geoms.put(
+                          scope.named(own),
+                          new MjcfForces.Geom(
+                              part, link, frame.times(scope.geometry().placed(part)))));
         }
         case "frame" ->
-            collect(scope, part, frame.times(scope.compiler().frame(part)), held, shapes);
+            collect(scope, part, link, frame.times(scope.compiler().frame(part)), held, shapes);
         case "replicate" -> {
           if (part.child("geom").isPresent() || part.child("frame").isPresent()) {
             replicas(scope, part)
                 .forEach(
-                    (replica, place) -> collect(replica, part, frame.times(place), held, shapes));
+                    (replica, place) ->
+                        collect(replica, part, link, frame.times(place), held, shapes));
           }
         }
         default -> {

@@ -474,12 +474,93 @@ record Robot(
     }
   }
 
+  /** What a path passes. */
+  sealed interface Waypoint {}
+
   /**
-   * A spring and damper along a sum of coordinates, or along an expression of positions.
+   * A point of a link through which a path slides, or to which it is tied.
+   *
+   * @param at in the link's axes, m
+   */
+  record Eye(String link, Vector3 at) implements Waypoint {}
+
+  /**
+   * A sphere or a cylinder around which a path goes.
+   *
+   * @param frame in the link; the axis of a cylinder is its z axis
+   * @param radius m
+   * @param side a point on whose side the path passes
+   * @param inside whether it goes through the shape as through a ring
+   */
+  record Around(
+      String link, Frame frame, boolean cylinder, double radius, Optional<Eye> side, boolean inside)
+      implements Waypoint {}
+
+  /**
+   * The path begins anew.
+   *
+   * @param share of the length behind it that counts
+   */
+  record Branch(double share) implements Waypoint {}
+
+  /**
+   * A spring and damper along a path.
+   *
+   * @param rest length at which the spring exerts nothing, m
+   * @param side {@code both}, {@code tension} above rest only, or {@code compression} below it only
+   */
+  record PathSpring(
+      Element element,
+      String name,
+      List<Waypoint> stops,
+      double stiffness,
+      double damping,
+      double rest,
+      String side)
+      implements Force {
+    PathSpring {
+      stops = List.copyOf(stops);
+    }
+  }
+
+  /**
+   * A tension along a path.
+   *
+   * @param expression in MechML, of {@code length}, {@code rate} and inputs, N
+   */
+  record PathTension(Element element, String name, List<Waypoint> stops, String expression)
+      implements Force {
+    PathTension {
+      stops = List.copyOf(stops);
+    }
+  }
+
+  /**
+   * A muscle along a path or a sum of coordinates.
+   *
+   * @param stops of the path; empty if there are terms
+   * @param terms factors by joint
+   * @param excitation in MechML
+   * @param numbers by the names of their attributes
+   */
+  record Muscle(
+      Element element,
+      String name,
+      List<Waypoint> stops,
+      Map<String, Double> terms,
+      String excitation,
+      Map<String, Double> numbers)
+      implements Force {
+    Muscle {
+      stops = List.copyOf(stops);
+    }
+  }
+
+  /**
+   * A spring and damper along a sum of coordinates.
    *
    * @param angle whether the sum is an angle, or else a length
-   * @param terms factors by joint; empty if there is an expression
-   * @param expression in MechML
+   * @param terms factors by joint
    * @param rest the sum at which the spring exerts nothing
    * @param side {@code both}, {@code tension} above rest only, or {@code compression} below it only
    */
@@ -488,7 +569,6 @@ record Robot(
       String name,
       boolean angle,
       Map<String, Double> terms,
-      Optional<String> expression,
       double stiffness,
       double damping,
       double rest,

@@ -5,10 +5,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.robot.Robot.Around;
 import org.mechservice.robot.Robot.BodyForce;
+import org.mechservice.robot.Robot.Branch;
 import org.mechservice.robot.Robot.Coordinate;
 import org.mechservice.robot.Robot.Coupling;
 import org.mechservice.robot.Robot.CouplingSpring;
+import org.mechservice.robot.Robot.Eye;
 import org.mechservice.robot.Robot.Force;
 import org.mechservice.robot.Robot.Frame;
 import org.mechservice.robot.Robot.Freedom;
@@ -17,9 +20,13 @@ import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.JointForce;
 import org.mechservice.robot.Robot.Loop;
 import org.mechservice.robot.Robot.Mark;
+import org.mechservice.robot.Robot.Muscle;
+import org.mechservice.robot.Robot.PathSpring;
+import org.mechservice.robot.Robot.PathTension;
 import org.mechservice.robot.Robot.PointSpring;
 import org.mechservice.robot.Robot.State;
 import org.mechservice.robot.Robot.TurningSpring;
+import org.mechservice.robot.Robot.Waypoint;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -27,6 +34,9 @@ import org.mechservice.solver.spatial.Vector3;
  * The loops, couplings, forces and inputs of a robot in MechML, with their points on the bodies.
  */
 final class RobotActions {
+  /** Where MuJoCo ends its search of the point at which a string touches a ring, rad. */
+  static final double TOLERANCE_OF_MUJOCO = 1e-6;
+
   private static final Vector3 X = new Vector3(1, 0, 0);
   private static final Vector3 Z = new Vector3(0, 0, 1);
 
@@ -172,6 +182,49 @@ final class RobotActions {
     }
   }
 
+  /** Adds what a path passes, and notes its points on the bodies. */
+  private void addStops(TagBuilder owner, Element from, String name, List<Waypoint> stops) {
+    for (int i = 0; i < stops.size(); i++) {
+      String own = name + " " + i;
+      if (stops.get(i) instanceof Eye eye) {
+        addPoint(from, eye.link(), own, eye.at());
+        owner.add(place("via", from, owner, eye.link(), own));
+      } else if (stops.get(i) instanceof Around shape) {
+        owner.add(around(owner, from, own, shape));
+      } else if (stops.get(i) instanceof Branch branch) {
+        owner.add(TagBuilder.of("branch", from, owner).set("share", branch.share()));
+      }
+    }
+  }
+
+  private static TagBuilder place(
+      String tag, Element from, TagBuilder owner, String link, String point) {
+    return TagBuilder.of(tag, from, owner).set("name", link).set("point", point);
+  }
+
+  private TagBuilder around(TagBuilder owner, Element from, String own, Around shape) {
+    addPoint(from, shape.link(), own, shape.frame().at());
+    TagBuilder tag = place("around", from, owner, shape.link(), own).set("radius", shape.radius());
+    if (shape.cylinder()) {
+      frames
+          .computeIfAbsent(shape.link(), key -> new ArrayList<>())
+          .add(vector(from, own + " z", shape.frame().turn().apply(Z)));
+      tag.set("vector", own + " z");
+    }
+    if (shape.inside()) {
+      tag.set("inside", "true").set("tolerance", TOLERANCE_OF_MUJOCO);
+    }
+    shape
+        .side()
+        .filter(side -> !shape.inside())
+        .ifPresent(
+            side -> {
+              addPoint(from, side.link(), own + " side", side.at());
+              tag.add(place("side", from, tag, side.link(), own + " side"));
+            });
+    return tag;
+  }
+
   private static String push(Joint joint) {
     Coordinate own = joint.coordinate();
     String name = MechmlText.name(joint.name());
@@ -205,9 +258,32 @@ final class RobotActions {
               .set("c", one.damping())
               .set("rest", one.rest())
               .set("side", one.side());
-      one.expression().ifPresent(expression -> spring.set("expression", expression));
       addTerms(spring, from, one.terms());
       return spring;
+    } else if (force instanceof PathSpring one) {
+      TagBuilder spring =
+          TagBuilder.of("elasticRope", from)
+              .set("name", one.name())
+              .set("k", one.stiffness())
+              .set("c", one.damping())
+              .set("length0", one.rest())
+              .set("side", one.side());
+      addStops(spring, from, one.name(), one.stops());
+      return spring;
+    } else if (force instanceof PathTension one) {
+      TagBuilder pull =
+          TagBuilder.of("pathForce", from)
+              .set("name", one.name())
+              .set("expression", one.expression());
+      addStops(pull, from, one.name(), one.stops());
+      return pull;
+    } else if (force instanceof Muscle one) {
+      TagBuilder muscle =
+          TagBuilder.of("muscle", from).set("name", one.name()).set("excitation", one.excitation());
+      one.numbers().forEach(muscle::set);
+      addStops(muscle, from, one.name(), one.stops());
+      addTerms(muscle, from, one.terms());
+      return muscle;
     } else if (force instanceof TurningSpring one) {
       TagBuilder bushing = TagBuilder.of("bushing", from).set("name", one.name());
       String k = MechmlText.number(one.stiffness());

@@ -212,10 +212,14 @@ final class RobotInertia {
    * @return kg or kg·m²; 0 if it is not defined
    */
   double free(Map<String, Double> terms) {
+    return inertia(along(terms));
+  }
+
+  private double[] along(Map<String, Double> terms) {
     double[] along = new double[columns.size()];
     terms.forEach(
         (joint, factor) -> ofJoint.getOrDefault(joint, List.of()).forEach(i -> along[i] += factor));
-    return inertia(along);
+    return along;
   }
 
   /**
@@ -232,6 +236,23 @@ final class RobotInertia {
    * @return kg; 0 if it is not defined
    */
   double free(List<Pull> pulls) {
+    return inertia(along(pulls));
+  }
+
+  /**
+   * Returns the size of the vector of accelerations of all joints by a unit of force that pulls at
+   * points: rad/s² and m/s², as MuJoCo has it in {@code actuator_acc0}; 0 if it is not defined.
+   */
+  double mobility(List<Pull> pulls) {
+    return size(along(pulls));
+  }
+
+  /** Returns the same of a force along a sum of coordinates. */
+  double mobility(Map<String, Double> terms) {
+    return size(along(terms));
+  }
+
+  private double[] along(List<Pull> pulls) {
     double[] along = new double[columns.size()];
     for (Pull pull : pulls) {
       for (Joint joint = above.get(pull.link()); joint != null; joint = above.get(joint.parent())) {
@@ -242,7 +263,22 @@ final class RobotInertia {
         }
       }
     }
-    return inertia(along);
+    return along;
+  }
+
+  private double size(double[] along) {
+    double[][] l = columns.size() > MOST ? new double[0][] : factor();
+    double[] x = forward(l, along);
+    double square = 0;
+    for (int i = x.length - 1; i >= 0; i--) {
+      double sum = x[i];
+      for (int k = i + 1; k < x.length; k++) {
+        sum -= l[k][i] * x[k];
+      }
+      x[i] = sum / l[i][i];
+      square += x[i] * x[i];
+    }
+    return Math.sqrt(square);
   }
 
   private double inertia(double[] along) {
@@ -252,19 +288,30 @@ final class RobotInertia {
 
   /** Returns Jᵀ M⁻¹ J = |L⁻¹ J|² with M = L Lᵀ; 0 if the mass matrix is singular. */
   private double mobility(double[] along) {
+    double square = 0;
+    for (double x : forward(factor(), along)) {
+      square += x * x;
+    }
+    return square;
+  }
+
+  private double[][] factor() {
     double[][] l = factor.orElseGet(this::factorise);
     factor = Optional.of(l);
+    return l;
+  }
+
+  /** Returns L⁻¹ b. */
+  private static double[] forward(double[][] l, double[] b) {
     double[] x = new double[l.length];
-    double square = 0;
     for (int i = 0; i < l.length; i++) {
-      double sum = along[i];
+      double sum = b[i];
       for (int k = 0; k < i; k++) {
         sum -= l[i][k] * x[k];
       }
       x[i] = sum / l[i][i];
-      square += x[i] * x[i];
     }
-    return square;
+    return x;
   }
 
   /** Returns the factor L of the mass matrix M = L Lᵀ; empty if it is singular. */

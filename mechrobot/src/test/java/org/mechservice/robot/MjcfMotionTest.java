@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -22,7 +23,8 @@ import org.mechservice.solver.mechanism.Mechanism;
 /**
  * Small MJCF files, each with one thing that the import could lose, accelerate as in MuJoCo: the
  * comment before each of mjcf/NAME.xml has positions, velocities and the accelerations that MuJoCo
- * 4.0.0 computes (mj_forward without contacts), in the order of MechML's coordinates.
+ * 4.0.0 computes (mj_forward without contacts), in the order of MechML's coordinates; of muscles
+ * also the activations and their rates.
  */
 class MjcfMotionTest {
   /**
@@ -52,6 +54,8 @@ class MjcfMotionTest {
     assertThat(q).hasSize(mechanism.positionCount());
     System.arraycopy(q, 0, y, 0, q.length);
     System.arraycopy(v, 0, y, q.length, v.length);
+    Optional<double[]> activations = optional(text, "s");
+    activations.ifPresent(s -> System.arraycopy(s, 0, y, y.length - s.length, s.length));
     double[] rate = new double[y.length];
     model.derivative(0, y, rate);
     double scale = Arrays.stream(expected).map(Math::abs).max().orElse(1);
@@ -59,11 +63,21 @@ class MjcfMotionTest {
     for (int i = 0; i < expected.length; i++) {
       assertThat(rate[q.length + i]).as(name).isCloseTo(expected[i], within(bound));
     }
+    double[] rates = optional(text, "r").orElse(new double[0]);
+    for (int i = 0; i < rates.length; i++) {
+      assertThat(rate[y.length - rates.length + i])
+          .as("rate of an activation in %s", name)
+          .isCloseTo(rates[i], within(ROUNDING * (1 + Math.abs(rates[i]))));
+    }
+  }
+
+  private static Optional<double[]> optional(String text, String what) {
+    return text.contains(" " + what + ": ") ? Optional.of(numbers(text, what)) : Optional.empty();
   }
 
   private static double[] numbers(String text, String what) {
     Matcher found =
-        Pattern.compile("\\b" + what + ": ([^a-z]*?)\\s*(?:[va]:|-->)")
+        Pattern.compile("\\b" + what + ": ([^a-z]*?)\\s*(?:[vasr]:|-->)")
             .matcher(text.replace("e-", "E-"));
     assertThat(found.find()).isTrue();
     return List.of(found.group(1).split(" ", -1)).stream()
