@@ -14,7 +14,8 @@ final class AllowedSolver {
 
   /** Packages of which every class is allowed. */
   private static final Set<String> PACKAGES =
-      Set.of(SOLVER + "api/capability", SOLVER + "api/result", SOLVER + "api/run");
+      Set.of(
+          SOLVER + "api/capability", SOLVER + "api/result", SOLVER + "api/run", SOLVER + "spatial");
 
   private static final Set<String> CLASSES =
       Stream.of(
@@ -49,9 +50,6 @@ final class AllowedSolver {
               "force/user/UserForceSource",
               "kinematics/StateCoordinates",
               "mechanism/Mechanism",
-              "spatial/NumberTable",
-              "spatial/Piecewise",
-              "spatial/SinCos",
               "symbol/MathFunction")
           .map(SOLVER::concat)
           .collect(Collectors.toUnmodifiableSet());

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.api.program.Trajectory;
@@ -181,6 +182,59 @@ class PathForceTest {
           .as("at %s", tolerance)
           .isCloseTo(right.column("hinge.q")[last], within(most * tolerance));
     }
+  }
+
+  /**
+   * A block of 1 kg at 2 m/s is drawn back by 100 v N, with a peak over 1 cm of its path: each
+   * passage takes 100·0.005 = 0.5 m/s, wherever the steps would end without it.
+   */
+  @ParameterizedTest
+  @CsvSource({"ode113, 1e-6", "ode113, 1e-3", "ode15s, 1e-6", "switching, 1e-4"})
+  void tensionsOverAShortWayAreSeen(String name, double tolerance) throws MechmlException {
+    String peak = "100*rate*max(0, 0.005-abs(length-1.5))/0.005";
+    Trajectory run = run(slide(2, peak, name, tolerance));
+    int last = run.rows() - 1;
+    assertThat(run.column("slide.v")[last]).isCloseTo(1.5, within(20 * tolerance));
+    // the integral of dx/v
+    assertThat(run.column("slide.q")[last]).isCloseTo(3.12508380, within(20 * tolerance));
+  }
+
+  /** A pulse in time, of 100 N over 1 ms as a triangle, takes 0.05 m/s. */
+  @Test
+  void tensionsOverAShortTimeAreSeen() throws MechmlException {
+    Trajectory run = run(slide(2, "100*max(0, 1-abs(t-1.2345)/0.0005)", "ode113", 1e-6));
+    assertThat(run.column("slide.v")[run.rows() - 1]).isCloseTo(1.95, within(1e-5));
+  }
+
+  /** A tension of 1 N, and of 5 N from 1.7 m on, where the block turns. */
+  @Test
+  void tensionsThatJumpAreSeen() throws MechmlException {
+    Trajectory run = run(slide(1.5, "3 + 2*signum(length-1.7)", "ode113", 1e-8));
+    double speed = Math.sqrt(4 - 2 * 0.7);
+    double left = 1.5 - (2 - speed) - 2 * speed / 5;
+    int last = run.rows() - 1;
+    assertThat(run.column("slide.v")[last]).isCloseTo(-speed - left, within(1e-7));
+    assertThat(run.column("slide.q")[last])
+        .isCloseTo(0.7 - speed * left - left * left / 2, within(1e-7));
+  }
+
+  /** A block of 1 kg that slides along x, drawn from a point 1 m behind its start. */
+  private static String slide(double end, String tension, String name, double tolerance) {
+    return "<MechML><MBSsimulation><dynamic><timeSet tini='0' tend='%s' tstep='0.1'/>"
+            .formatted(end)
+        + "<integrator name='%s' relTol='%s' absTol='%s'/>".formatted(name, tolerance, tolerance)
+        + "</dynamic></MBSsimulation><MBSmodel name='m' massUnits='kg' lengthUnits='m'"
+        + " silence='no-gravity'><Bodies><body name='Ground'><point name='o' x='0' y='0' z='0'/>"
+        + "<point name='behind' x='-1' y='0' z='0'/><vector name='x' vx='1' vy='0' vz='0'/></body>"
+        + "<body name='block'><point name='o' x='0' y='0' z='0'/>"
+        + "<vector name='x' vx='1' vy='0' vz='0'/><mass value='1'/></body></Bodies><Joints>"
+        + "<joint name='slide' type='P'><body1 name='Ground' point='o' vector='x'/>"
+        + "<body2 name='block' point='o' vector='x'/></joint></Joints><Forces>"
+        + "<pathForce name='p' expression='"
+        + tension.replace("<", "&lt;").replace(">", "&gt;")
+        + "'><via name='Ground' point='behind'/><via name='block' point='o'/></pathForce>"
+        + "</Forces><topology><root name='Ground'/><relCoorVals>"
+        + "<jointVal name='slide' velVals='2'/></relCoorVals></topology></MBSmodel></MechML>";
   }
 
   /** All formulations, and code and data, compute the same forces. */

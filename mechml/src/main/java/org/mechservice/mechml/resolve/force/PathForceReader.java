@@ -22,6 +22,7 @@ import org.mechservice.solver.force.law.MuscleLaw;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.force.PathForce;
 import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.symbol.Scalar;
 
 /**
@@ -71,11 +72,16 @@ final class PathForceReader {
   }
 
   private PathForce of(Element element, RopeReader.Rope way, Expression tension) {
+    return of(element, way, tension, way.changes());
+  }
+
+  private PathForce of(
+      Element element, RopeReader.Rope way, Expression tension, List<Expression> watched) {
     return new PathForce(
         element.required("name"),
         way.length(),
         tension,
-        way.changes(),
+        watched,
         way.points(),
         names.origin(element));
   }
@@ -174,6 +180,7 @@ final class PathForceReader {
     double width = ((Expression.Constant) blend).value();
     Scalar change =
         MuscleLaw.activationRate(wish, activation, numbers.get(10), numbers.get(11), width);
+    Scalar stretch = law.stretch(scalar(e, way.length(), leaves));
     ScalarFormulas written = new ScalarFormulas(leaves);
     states.add(
         new FurtherState(
@@ -183,7 +190,9 @@ final class PathForceReader {
             "1",
             0,
             names.origin(element)));
-    return of(element, way, written.of(law.tension(length, rate, activation)));
+    List<Expression> watched = new ArrayList<>(way.changes());
+    watched.add(Expression.call(MathFunction.MAX, List.of(Expression.ZERO, written.of(stretch))));
+    return of(element, way, written.of(law.tension(length, rate, activation)), watched);
   }
 
   private static Scalar scalar(Expressions e, Expression leaf, List<Expression> leaves) {

@@ -3,6 +3,7 @@ package org.mechservice.sim.packaging;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,6 +15,7 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.mechservice.guard.BytecodeVerifier;
@@ -32,6 +34,7 @@ import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** The list of what a fetched model may use knows all that generated classes use. */
 class PermittedModelsTest {
@@ -49,6 +52,31 @@ class PermittedModelsTest {
     }
     assertThat(refused).isEmpty();
     assertThat(checked).isGreaterThan(500);
+  }
+
+  /** A joint force whose formula calls every function, with arguments that no one knows before. */
+  @Test
+  void allFunctionsArePermitted() throws IOException, MechmlException {
+    String formula =
+        MathFunction.inFormulas().stream()
+            .map(
+                f ->
+                    f.symbol()
+                        + "(slide.v+0.5"
+                        + ", 0.3+slide.v*slide.v".repeat(f.arity() - 1)
+                        + ")")
+            .collect(Collectors.joining(" + "));
+    String text =
+        Files.readString(EXAMPLES.resolve("elements/jointForce.xml"))
+            .replaceFirst("expression=\"[^\"]*\"", "expression=\"" + formula + "\"");
+    assertThat(text).contains(formula);
+    SortedSet<String> refused = new TreeSet<>();
+    MechmlModel model = MechmlReader.read("functions.xml", text.getBytes(StandardCharsets.UTF_8));
+    for (boolean compact : new boolean[] {false, true}) {
+      check(Path.of("functions.xml"), model, Formulation.DTR, compact, refused);
+    }
+    assertThat(refused).isEmpty();
+    assertThat(checked).isEqualTo(2);
   }
 
   private static List<Path> files() throws IOException {

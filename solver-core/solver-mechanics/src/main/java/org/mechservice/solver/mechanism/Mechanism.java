@@ -307,6 +307,29 @@ public final class Mechanism {
         : ((JointClosure) closures.get(((ClosureCoordinate) coordinate).closure())).joint();
   }
 
+  /**
+   * Returns the velocity that is the rate of a position.
+   *
+   * @throws IllegalArgumentException of an Euler parameter, whose rate is none
+   */
+  public Coordinate velocityOf(Coordinate position) {
+    JointType type = jointOf(position).type();
+    int surplus = type.positionCount() - type.velocityCount();
+    int component =
+        position instanceof JointCoordinate inTree
+            ? inTree.component()
+            : ((ClosureCoordinate) position).component();
+    if (component < 0
+        || component >= type.positionCount()
+        || (type.hasEulerParameters() && component < 4)) {
+      throw new IllegalArgumentException(
+          "position " + component + " of joint " + jointOf(position).name() + " has no velocity");
+    }
+    return position instanceof JointCoordinate inTree
+        ? new JointCoordinate(inTree.joint(), component - surplus)
+        : new ClosureCoordinate(((ClosureCoordinate) position).closure(), component - surplus);
+  }
+
   /** Returns the applied forces besides gravity, in file order. */
   public List<ForceElement> forces() {
     return forces;

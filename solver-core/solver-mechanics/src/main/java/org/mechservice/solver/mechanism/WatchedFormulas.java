@@ -2,6 +2,7 @@ package org.mechservice.solver.mechanism;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,9 +17,12 @@ import org.mechservice.solver.expression.Expression.ClosestStation;
 import org.mechservice.solver.expression.Expression.Composed;
 import org.mechservice.solver.expression.Expression.Constant;
 import org.mechservice.solver.expression.Expression.CoordinatePosition;
+import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.ParameterValue;
+import org.mechservice.solver.expression.Expression.PathMotion;
 import org.mechservice.solver.expression.Expression.PointPosition;
+import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.Power;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
@@ -26,6 +30,7 @@ import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.TableValue;
 import org.mechservice.solver.expression.Expression.Time;
+import org.mechservice.solver.expression.FormulaRate;
 import org.mechservice.solver.expression.ScalarFormulas;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.force.law.Frames;
@@ -73,11 +78,15 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
       new IdentityHashMap<>();
   private final IdentityHashMap<Expression, Boolean> fixed = new IdentityHashMap<>();
 
-  private WatchedFormulas() {}
+  private final Mechanism mechanism;
+
+  private WatchedFormulas(Mechanism mechanism) {
+    this.mechanism = mechanism;
+  }
 
   /** Returns the formulas, none if the equations are even everywhere. */
   static List<Expression> of(Mechanism mechanism) {
-    WatchedFormulas formulas = new WatchedFormulas();
+    WatchedFormulas formulas = new WatchedFormulas(mechanism);
     List<Expression> all = new ArrayList<>();
     mechanism.forces().forEach(force -> all.addAll(force.accept(formulas)));
     mechanism.furtherStates().forEach(state -> all.add(state.derivative()));
@@ -136,7 +145,9 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
   private Optional<Expression> contentOf(Expression formula) {
     List<Expression> operands = Expression.operands(formula);
     List<Optional<Expression>> parts = operands.stream().map(this::content).toList();
-    if (isUneven(formula)) {
+    if (formula instanceof Call call && call.function() == MathFunction.SMOOTH) {
+      return Optional.empty();
+    } else if (isUneven(formula)) {
       return Optional.of(formula);
     } else if (parts.stream().allMatch(Optional::isEmpty)) {
       return Optional.empty();
@@ -237,7 +248,24 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
 
   @Override
   public List<Expression> pathForce(PathForce force) {
-    return force.watched();
+    List<Expression> all = new ArrayList<>(force.watched());
+    Map<Expression, Expression> motion = new HashMap<>();
+    motion.put(PathMotion.LENGTH, force.along());
+    if (new Tape(List.of(force.tension())).leaves().contains(PathMotion.RATE)) {
+      motion.put(PathMotion.RATE, FormulaRate.of(force.along(), this::rateOf));
+    }
+    content(force.tension()).map(tension -> replaced(tension, motion)).ifPresent(all::add);
+    return all;
+  }
+
+  /** Returns the rate of a leaf of a formula of positions. */
+  private Expression rateOf(Expression leaf) {
+    if (leaf instanceof PointPosition point) {
+      return new PointVelocity(point.point(), point.axis());
+    } else if (leaf instanceof CoordinatePosition position) {
+      return new CoordinateVelocity(mechanism.velocityOf(position.coordinate()));
+    }
+    return leaf instanceof Time ? Expression.of(1) : Expression.ZERO;
   }
 
   /** Returns by how much the centre is below the heights at which the sphere touches. */

@@ -77,7 +77,7 @@ class ReverseDifferentiationTest {
   void gradientsOfFunctionsAgreeWithTheirDirectionalDerivatives(MathFunction function) {
     Scalar x = e.input(0);
     Scalar y = e.input(1);
-    Scalar[] arguments = {x, y, x.times(y), y.squared()};
+    Scalar[] arguments = {x, y, x.times(y), y.squared(), x.plus(y)};
     Scalar value = e.function(function, Arrays.copyOf(arguments, function.arity()));
     double[] point = {0.3, 0.7};
     assertDotProducts(List.of(x, y), List.of(value), point, new Random(1));

@@ -19,6 +19,7 @@ import org.mechservice.solver.expression.Expression.Call;
 import org.mechservice.solver.expression.Expression.Constant;
 import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.ParameterValue;
+import org.mechservice.solver.expression.Expression.PathMotion;
 import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.Time;
@@ -216,6 +217,7 @@ final class FormulaForecast {
   private static boolean isVelocity(Expression part) {
     return part instanceof CoordinateVelocity
         || part instanceof PointVelocity
+        || PathMotion.RATE.equals(part)
         || (part instanceof RelativeMotion relative
             && relative.component() >= RelativeMotion.ANGULAR_VELOCITY);
   }

@@ -3,8 +3,6 @@ package org.mechservice.solver.force.formula;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntConsumer;
-import org.mechservice.solver.expression.ClosureCoordinate;
-import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.CoordinatePosition;
 import org.mechservice.solver.expression.Expression.CoordinateVelocity;
@@ -12,10 +10,8 @@ import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.FormulaEvaluation;
-import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Couplings;
-import org.mechservice.solver.force.applied.CutCoordinates;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.force.applied.NoJacobian;
@@ -100,23 +96,8 @@ public final class CoupledSpring extends AppliedForce {
   private static Expression rateOf(Expression leaf, TreeMotion motion) {
     return leaf instanceof PointPosition point
         ? new PointVelocity(point.point(), point.axis())
-        : new CoordinateVelocity(velocityOf(((CoordinatePosition) leaf).coordinate(), motion));
-  }
-
-  private static Coordinate velocityOf(Coordinate position, TreeMotion motion) {
-    if (position instanceof ClosureCoordinate cut) {
-      int component =
-          CutCoordinates.velocityOfPosition(
-              CutCoordinates.joint(motion.tree(), cut), cut.component());
-      return new ClosureCoordinate(cut.closure(), component);
-    }
-    JointCoordinate ofTree = (JointCoordinate) position;
-    var type = motion.tree().mechanism().joints().get(ofTree.joint()).type();
-    int surplus = type.positionCount() - type.velocityCount();
-    if (surplus > 0 && ofTree.component() < 4) {
-      throw new IllegalArgumentException("a coupling cannot relate Euler parameters");
-    }
-    return new JointCoordinate(ofTree.joint(), ofTree.component() - surplus);
+        : new CoordinateVelocity(
+            motion.tree().mechanism().velocityOf(((CoordinatePosition) leaf).coordinate()));
   }
 
   @Override

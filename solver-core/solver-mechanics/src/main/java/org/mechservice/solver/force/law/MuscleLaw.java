@@ -1,5 +1,6 @@
 package org.mechservice.solver.force.law;
 
+import java.util.List;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.symbol.Scalar;
@@ -57,10 +58,21 @@ public record MuscleLaw(
 
   /** Returns the tension, N, at a length, m, a rate of it, m/s, and an activation. */
   public Scalar tension(Scalar length, Scalar rate, Scalar activation) {
-    Scalar unit = divisor(longest.minus(shortest).over(divisor(high.minus(low))));
+    Scalar unit = unit();
     Scalar l = low.plus(length.minus(shortest).over(unit));
     Scalar v = rate.over(divisor(unit.times(fastest)));
-    return force.times(activation.times(byLength(l)).times(byRate(v)).plus(passive(l)));
+    Scalar tension = force.times(activation.times(byLength(l)).times(byRate(v)).plus(passive(l)));
+    // its curves join with their slopes, and none is narrow
+    return e.whole(MathFunction.SMOOTH, List.of(tension));
+  }
+
+  /** Returns by how much a length exceeds that of l_min, from which on the muscle pulls, m. */
+  public Scalar stretch(Scalar length) {
+    return length.minus(shortest.plus(least.minus(low).times(unit())));
+  }
+
+  private Scalar unit() {
+    return divisor(longest.minus(shortest).over(divisor(high.minus(low))));
   }
 
   private Scalar byLength(Scalar l) {

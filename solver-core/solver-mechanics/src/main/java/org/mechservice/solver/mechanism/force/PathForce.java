@@ -18,8 +18,8 @@ import org.mechservice.solver.text.Origin;
  * @param along x, of t, parameters, positions of coordinates that are no Euler parameters, and
  *     places of points, m
  * @param tension T, of {@link Expression.PathMotion}, t, parameters and further states, N
- * @param watched formulas that a step could pass over: where the form of x changes, and T if it has
- *     pieces; of the same leaves as x, and of states
+ * @param watched formulas beside T that a step could pass over, of the leaves of x: they tell where
+ *     its form changes
  * @param points what the path passes, in this order, for pictures
  * @param origin position in the model file
  */
@@ -40,6 +40,11 @@ public record PathForce(
   public List<Variable> values(Function<Coordinate, Joint> jointOf) {
     return List.of(
         new Variable("length", "m"), new Variable("rate", "m/s"), new Variable("tension", "N"));
+  }
+
+  @Override
+  public List<Formula> formulas() {
+    return List.of(new Formula("length", along), new Formula("tension", tension));
   }
 
   @Override
