@@ -3,6 +3,7 @@
 import importlib.util
 import multiprocessing
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -76,6 +77,95 @@ def test_state_is_read_and_set():
     state[0] = 0.25
     run.state = state
     assert run.state[0] == 0.25
+
+
+FOUR_BAR = "examples/four-bar/four-bar.xml"
+
+
+def test_coordinate_of_a_loop_is_held_and_the_others_follow():
+    run = mechservice.read(FOUR_BAR).stepped(0.001)
+    state = run.state
+    state[run.columns.index("A.q") - 1] = 0.3
+    run.state = state
+    assert run["A.q"] == pytest.approx(0.3, abs=1e-12) and run["A.q"] == run.row[1]
+    assert run["B.q"] != state[1] and run.state[1] == run["B.q"]
+    before = run.row.copy()
+    run.step()
+    assert np.abs(run.row - before)[1:4].max() < 0.001
+    state = run.state
+    state[:3] += [0.1, 0, -0.4]
+    with pytest.raises(mechservice.MechError, match="do not close with A.q, C.q as set") as refused:
+        run.state = state
+    assert refused.value.code == "S-195"
+    run.step()
+
+
+def test_run_begins_again_with_the_same_bits():
+    run = mechservice.read(INPUT).stepped(0.01, t_end=0.2)
+    run["force"] = 2
+    rows = []
+    while run.running:
+        run.step()
+        rows.append(run.row.copy())
+    run.reset()
+    assert run.running and run.time == 0 and run["force"] == 3
+    run["force"] = 2
+    for row in rows:
+        run.step()
+        assert np.array_equal(run.row, row)
+    state = run.state
+    state[0] = 0.25
+    run.reset(state)
+    assert run.time == 0 and run["slide.q"] == 0.25
+
+
+def in_a_process(program, number=None):
+    """Runs a program and sends it a signal once it is ready; returns it with what it printed."""
+    places = [str(Path(mechservice.__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
+    started = subprocess.Popen(
+        [sys.executable, "-c", program],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, places))},
+    )
+    assert started.stdout.readline() == "ready\n"
+    if number is not None:
+        started.send_signal(number)
+    return started, started.communicate(timeout=300)[0]
+
+
+STEPPED = (
+    "import threading, time, mechservice\n"
+    f"run = mechservice.read({PENDULUM!r}).stepped(1e8, t_end=1e9)\n"
+    "def ready():\n"
+    "    print('ready', flush=True)\n"
+)
+
+
+def test_ctrl_c_ends_a_step():
+    ended, said = in_a_process(
+        STEPPED
+        # when the step is under way
+        + "threading.Timer(1, ready).start()\n"
+        + "try:\n"
+        + "    run.step()\n"
+        + "except KeyboardInterrupt:\n"
+        + "    print('interrupted', run.running, run.time < 1e8)\n",
+        signal.SIGINT,
+    )
+    assert said == "interrupted False True\n" and ended.returncode == 0
+
+
+def test_sigterm_ends_the_process():
+    ended, said = in_a_process(STEPPED + "ready()\ntime.sleep(300)\n", signal.SIGTERM)
+    assert ended.returncode == -signal.SIGTERM and said == ""
+
+
+def test_memory_of_steps_does_not_depend_on_the_end():
+    run = mechservice.read(PENDULUM).stepped(0.001, t_end=1e6)
+    run.step()
+    assert run.time == 0.001 and run.running
 
 
 def test_linear_system_has_names():

@@ -47,7 +47,8 @@ def start() -> None:
             for jar in _jars():
                 jpype.addClassPath(jar)
         return
-    options = ["-XX:+UseSerialGC", "-Xshare:auto", "-XX:TieredStopAtLevel=4"]
+    # Signals are Python's: a virtual machine that ends a process with Python's threads in it crashes.
+    options = ["-XX:+UseSerialGC", "-Xshare:auto", "-XX:TieredStopAtLevel=4", "-Xrs"]
     # Quiet: SLF4J without a provider, and Java 24 and newer about JPype itself.
     options += ["-Dslf4j.internal.verbosity=ERROR", "--enable-native-access=ALL-UNNAMED"]
     path = _virtual_machine()

@@ -5,35 +5,19 @@ from __future__ import annotations
 import html
 import math
 import os
-import signal
-import socket
 import sys
 import threading
-from functools import lru_cache
-from importlib import import_module
-from queue import SimpleQueue
-from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Iterable, List, Optional, Sequence, Tuple, Union
 
 import jpype
 
 from ._errors import MechError, RunInterrupted, python_errors
+from ._interrupts import cancellable, interruptible
 from ._java import java_class, java_path
 from ._stepped import Stepped
 from ._trajectory import LinearSystem, Trajectory
 
 Value = Union[float, str]
-
-_LOOK_SECONDS = 0.05
-
-# Without the enumerations of the module signal, whose look-up takes ten times as long.
-_handler_of: Callable[[int], Any] = import_module("_signal").getsignal
-_set_handler: Callable[[int, Any], Any] = import_module("_signal").signal
-
-_OTHER_SIGNALS = [
-    int(getattr(signal, name))
-    for name in ("SIGALRM", "SIGTERM", "SIGHUP", "SIGUSR1", "SIGUSR2", "SIGVTALRM", "SIGPROF")
-    if hasattr(signal, name)
-]
 
 
 class Model:
@@ -116,7 +100,7 @@ class Model:
             t_end, t_step, integrator, formulation, rtol, atol, columns, simulation, strict
         )
         with python_errors():
-            trajectory = Trajectory(_interruptible(model._java), model)
+            trajectory = Trajectory(_rows(model._java), model)
             if csv is not None:
                 trajectory._java.writeCsv(java_path(csv))
         return trajectory
@@ -267,7 +251,7 @@ class Model:
         listener = jpype.JProxy("org.mechservice.report.measure.ReportProgress", dict={"at": at})
         try:
             with python_errors():
-                page = _cancellable(
+                page = cancellable(
                     lambda: self._java.report(java_path(folder), wanted, listener), stop
                 )
                 return str(page.toString())
@@ -357,157 +341,9 @@ def _group(name: str) -> Any:
     return known[name]
 
 
-class _Worker:
-    """A thread that runs models while the main thread listens to signals.
-
-    It lives as long as the process: a thread that Java does not know yet costs a tenth of a
-    millisecond.
-    """
-
-    def __init__(self) -> None:
-        self._jobs: "SimpleQueue[Tuple[Any, Any, _Answer]]" = SimpleQueue()
-        threading.Thread(target=self._work, name="mechservice-run", daemon=True).start()
-
-    def _work(self) -> None:
-        while True:
-            java, control, answer = self._jobs.get()
-            try:
-                answer.rows = java.simulate(control)
-            except BaseException as error:  # handed to the caller's thread
-                answer.error = error
-            answer.done.release()
-            del java, control, answer
-
-    def simulate(self, java: Any, control: Any) -> Tuple[Any, bool]:
-        """Runs a model; returns its rows in Java and whether Ctrl-C stopped it."""
-        answer = _Answer()
-        self._jobs.put((java, control, answer))
-        interrupted = False
-        while True:
-            try:
-                if answer.done.acquire(timeout=_LOOK_SECONDS):
-                    break
-            except KeyboardInterrupt:
-                interrupted = True
-                control.stop()
-        if answer.error is not None:
-            raise answer.error
-        return answer.rows, interrupted
-
-
-class _Answer:
-    """What a run has given, once its lock can be acquired."""
-
-    def __init__(self) -> None:
-        self.done = threading.Lock()
-        self.done.acquire()
-        self.rows: Any = None
-        self.error: Optional[BaseException] = None
-
-
-class _Listener:
-    """A thread that hears of Ctrl-C while the main thread runs a model itself.
-
-    Python's own handler is called when the run has come back, but the number of a signal is sent to
-    this thread's socket as soon as it arrives. Without a switch between threads a run of a third of
-    a millisecond takes a fifth less time than in a ``_Worker``.
-    """
-
-    def __init__(self) -> None:
-        self._heard, self._told = socket.socketpair()
-        self._told.setblocking(False)
-        self._control: Any = None
-        self._stopped: Any = None
-        self._acted = threading.Semaphore(0)
-        threading.Thread(target=self._listen, name="mechservice-signals", daemon=True).start()
-
-    def _listen(self) -> None:
-        while True:
-            for number in self._heard.recv(64):
-                if number == signal.SIGINT:
-                    self._stopped = control = self._control
-                    control.stop()
-                    self._acted.release()
-
-    def simulate(self, java: Any, control: Any) -> "Optional[Tuple[Any, bool]]":
-        """Runs a model; returns its rows in Java and whether Ctrl-C stopped it.
-
-        None, and nothing has run, if another package hears of signals in this way.
-        """
-        presses = 0
-
-        def pressed(*_: Any) -> None:
-            nonlocal presses
-            presses += 1
-
-        self._control = control
-        # Python's own handler would raise KeyboardInterrupt between the end of the run and the place
-        # of its rows, which were lost then.
-        kept = _set_handler(signal.SIGINT, pressed)
-        try:
-            other = signal.set_wakeup_fd(self._told.fileno(), warn_on_full_buffer=False)
-            try:
-                if other != -1:
-                    return None
-                rows = java.simulate(control)
-            finally:
-                signal.set_wakeup_fd(other)
-        finally:
-            _set_handler(signal.SIGINT, kept)
-        if presses:
-            self._acted.acquire(timeout=1)
-        return rows, presses > 0 or self._stopped is control
-
-
-def _cancellable(work: Callable[[], Any], stop: threading.Event) -> Any:
-    """Does work in a thread of its own; Ctrl-C sets the event and is raised when the work ends."""
-    answer = _Answer()
-
-    def run() -> None:
-        try:
-            answer.rows = work()
-        except BaseException as error:  # handed to the caller's thread
-            answer.error = error
-        answer.done.release()
-
-    threading.Thread(target=run, name="mechservice-report", daemon=True).start()
-    while True:
-        try:
-            if answer.done.acquire(timeout=_LOOK_SECONDS):
-                break
-        except KeyboardInterrupt:
-            stop.set()
-    if stop.is_set():
-        raise KeyboardInterrupt("the report was interrupted; what was measured is kept")
-    if answer.error is not None:
-        raise answer.error
-    return answer.rows
-
-
-@lru_cache(maxsize=None)
-def _worker() -> _Worker:
-    return _Worker()
-
-
-@lru_cache(maxsize=None)
-def _listener() -> _Listener:
-    return _Listener()
-
-
-def _only_interrupts() -> bool:
-    """Returns whether Ctrl-C raises KeyboardInterrupt and no other signal calls Python."""
-    return _handler_of(signal.SIGINT) is signal.default_int_handler and not any(
-        map(callable, map(_handler_of, _OTHER_SIGNALS))
-    )
-
-
-def _interruptible(java: Any) -> Any:
+def _rows(java: Any) -> Any:
     """Runs a model; Ctrl-C in the main thread stops it. Returns the rows in Java."""
-    control = java_class("org.mechservice.solver.api.run.RunControl")()
-    if threading.current_thread() is not threading.main_thread():
-        return java.simulate(control)
-    done = _listener().simulate(java, control) if _only_interrupts() else None
-    rows, interrupted = done or _worker().simulate(java, control)
+    rows, interrupted = interruptible(java, java_class("org.mechservice.solver.api.run.RunControl")())
     if interrupted:
         raise RunInterrupted(Trajectory(rows))
     return rows

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import jpype
 import numpy as np
 import numpy.typing as npt
 
 from ._errors import MechError, python_errors
+from ._interrupts import stepping
 
 
 class Stepped:
@@ -29,6 +30,7 @@ class Stepped:
         self.inputs, self._given = _shared(java.inputValues())
         self.row, self._then = _shared(java.row())
         self._step = java.step
+        self._stop = java.interrupt
         self._running = bool(java.isRunning())
 
     @property
@@ -57,7 +59,7 @@ class Stepped:
         return float(self._java.time())
 
     def step(self) -> None:
-        """Advances by one step with the present inputs.
+        """Advances by one step with the present inputs; Ctrl-C ends it, and the run with it.
 
         Raises MechError if an input is not finite or the run has ended, RunError if it cannot go
         on.
@@ -65,20 +67,45 @@ class Stepped:
         if not self._running:
             raise MechError(f"the run has ended at {self.time} s; it takes no further steps")
         try:
-            self._running = self._step(self._given, self._then)
+            self._running = stepping(self._stop, self._step, self._given, self._then)
+        except KeyboardInterrupt:
+            self._running = bool(self._java.isRunning())
+            raise
         except jpype.JException:
             with python_errors():
                 raise
 
     @property
     def state(self) -> npt.NDArray[np.float64]:
-        """The state [q; v; s] from which the next step begins; setting it closes loops again."""
+        """The state [q; v; s] from which the next step begins; a copy.
+
+        Setting it takes effect at once, also in ``row`` and ``inputs``. Coordinates that you change
+        are held, and the loops make the others follow; MechError is raised, and the state is that
+        before, if the loops do not close so.
+        """
         return np.array(self._java.state(), dtype=np.float64)
 
     @state.setter
     def state(self, values: npt.ArrayLike) -> None:
         with python_errors():
             self._java.state(jpype.JArray(jpype.JDouble)(np.asarray(values, dtype=np.float64)))
+        self._look()
+
+    def reset(self, state: Optional[npt.ArrayLike] = None) -> None:
+        """Goes back to where this run began, in microseconds: time, state and inputs.
+
+        state: another state to begin from there, as of ``state``.
+        """
+        with python_errors():
+            self._java.reset()
+        self._running = bool(self._java.isRunning())
+        self._look()
+        if state is not None:
+            self.state = state
+
+    def _look(self) -> None:
+        self.row[:] = self._java.row()
+        self.inputs[:] = self._java.inputValues()
 
     def save(self) -> bytes:
         """Returns the run between two steps, for ``Model.stepped(step, saved=...)``."""

@@ -14,6 +14,7 @@ final class StepServant {
   static final byte BEGIN = 'b';
   static final byte RESTORE = 'r';
   static final byte SET = 's';
+  static final byte SETTLE = 'e';
   static final byte STEP = 'p';
   static final byte STATE = 'y';
   static final byte REPORT = 'q';
@@ -58,6 +59,10 @@ final class StepServant {
         }
         case RESTORE -> {
           run.restore(WorkerProcess.readBytes(in));
+          done();
+        }
+        case SETTLE -> {
+          run.settle();
           done();
         }
         case STEP -> {

@@ -36,6 +36,11 @@ public record WorkerResult(Map<String, Object> report, Outcome outcome) {
     return new WorkerResult(report, new Outcome.Failed(failure));
   }
 
+  /** Returns the result of a run that has been stopped together with its worker. */
+  static WorkerResult stopped() {
+    return new WorkerResult(Map.of("outcome", "stopped"), new Outcome.Stopped());
+  }
+
   void write(DataOutputStream out) throws IOException {
     out.writeInt(report.size());
     for (Map.Entry<String, Object> entry : report.entrySet()) {

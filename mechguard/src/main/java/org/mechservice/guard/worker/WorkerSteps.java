@@ -36,6 +36,8 @@ public final class WorkerSteps implements StepwiseRun {
   private final Patience patience;
   private final Cleaner.Cleanable process;
   private double time;
+  private volatile boolean stepping;
+  private volatile boolean interrupted;
   private Optional<WorkerResult> ended = Optional.empty();
 
   /** Why there is no process any more. */
@@ -106,11 +108,35 @@ public final class WorkerSteps implements StepwiseRun {
 
   @Override
   public boolean step() throws IOException {
+    requireGoesOn();
+    stepping = true;
+    try {
+      advance(() -> out.writeByte(StepServant.STEP));
+    } finally {
+      stepping = false;
+    }
+    return ended.isEmpty();
+  }
+
+  private void requireGoesOn() {
     if (ended.isPresent()) {
       throw new IllegalStateException("the run has ended");
     }
-    advance(() -> out.writeByte(StepServant.STEP));
-    return ended.isEmpty();
+  }
+
+  @Override
+  public void settle() throws IOException {
+    requireGoesOn();
+    advance(() -> out.writeByte(StepServant.SETTLE));
+  }
+
+  /** {@inheritDoc} The process ends, too. */
+  @Override
+  public void interrupt() {
+    if (stepping) {
+      interrupted = true;
+      process.clean();
+    }
   }
 
   /** Makes a call that takes the run on; one whose process is lost has failed. */
@@ -127,8 +153,8 @@ public final class WorkerSteps implements StepwiseRun {
               });
     } catch (WorkerLostException e) {
       String cause = String.valueOf(e.getMessage());
-      ended =
-          Optional.of(WorkerResult.lost(new Failure(e.code(), cause, time, 0, 0, "", e.advice())));
+      Failure failure = new Failure(e.code(), cause, time, 0, 0, "", e.advice());
+      ended = Optional.of(interrupted ? WorkerResult.stopped() : WorkerResult.lost(failure));
     }
   }
 

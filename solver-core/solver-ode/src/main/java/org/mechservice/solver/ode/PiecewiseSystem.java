@@ -1,6 +1,7 @@
 package org.mechservice.solver.ode;
 
 import java.util.List;
+import java.util.function.LongToDoubleFunction;
 
 /**
  * A problem whose equations jump at known places. Implemented beside {@link OdeSystem} or {@link
@@ -14,4 +15,13 @@ import java.util.List;
 public interface PiecewiseSystem {
   /** Returns the places, in any order; those outside of the interval are left alone. */
   List<Double> breakpoints();
+
+  /**
+   * Returns further places as a sequence that is never listed as a whole: the place of each index
+   * from 0, ascending in the direction of integration and farther apart than rounding, NaN behind
+   * the last one.
+   */
+  default LongToDoubleFunction sequence() {
+    return index -> Double.NaN;
+  }
 }

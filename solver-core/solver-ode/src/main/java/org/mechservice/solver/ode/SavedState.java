@@ -1,11 +1,10 @@
 package org.mechservice.solver.ode;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
-import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32;
 
@@ -23,7 +22,7 @@ import java.util.zip.CRC32;
  */
 public abstract sealed class SavedState {
   private static final int MAGIC = 0x4d535354;
-  private static final int FORMAT = 4;
+  private static final int FORMAT = 5;
   private static final int CHECKSUM_BYTES = Long.BYTES;
 
   /** A part of a state. */
@@ -175,10 +174,10 @@ public abstract sealed class SavedState {
   }
 
   private static final class Restoring extends SavedState {
-    private final DataInputStream in;
+    private final ByteBuffer content;
 
     Restoring(byte[] bytes, int length) {
-      in = new DataInputStream(new ByteArrayInputStream(bytes, 0, length));
+      content = ByteBuffer.wrap(bytes, 0, length);
     }
 
     @Override
@@ -188,11 +187,8 @@ public abstract sealed class SavedState {
 
     @Override
     public long integer(long value) {
-      try {
-        return in.readLong();
-      } catch (IOException e) {
-        throw new IllegalArgumentException("the saved state is shorter than it should be", e);
-      }
+      requireLeft(Long.BYTES);
+      return content.getLong();
     }
 
     @Override
@@ -203,13 +199,15 @@ public abstract sealed class SavedState {
     @Override
     public byte[] bytes(byte[] value) {
       long length = integer(0L);
+      requireLeft(length);
+      byte[] read = new byte[(int) length];
+      content.get(read);
+      return read;
+    }
+
+    private void requireLeft(long length) {
       if (length < 0 || length > left()) {
         throw new IllegalArgumentException("the saved state is shorter than it should be");
-      }
-      try {
-        return in.readNBytes((int) length);
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
       }
     }
 
@@ -219,11 +217,7 @@ public abstract sealed class SavedState {
     }
 
     int left() {
-      try {
-        return in.available();
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
+      return content.remaining();
     }
   }
 }

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.LongToDoubleFunction;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -65,6 +66,65 @@ public abstract class BreakpointContract {
     public List<Double> breakpoints() {
       return breakpoints;
     }
+  }
+
+  /** The same with places that are not listed, from the start on every quarter. */
+  private static final class Sampled extends Pushed {
+    private final double direction;
+
+    Sampled(double direction, Double... breakpoints) {
+      super(breakpoints);
+      this.direction = direction;
+    }
+
+    @Override
+    public LongToDoubleFunction sequence() {
+      return k -> k <= 20 ? (direction < 0 ? 5 - 0.25 * k : 0.25 * k) : Double.NaN;
+    }
+  }
+
+  /** Places of a list and of a sequence are one ascending list, of which some are the same. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1, -1})
+  void placesOfASequenceAreThoseOfAList(double direction) {
+    double from = direction > 0 ? 0 : 5;
+    double to = 5 - from;
+    Double[] all = IntStream.rangeClosed(0, 22).mapToObj(k -> 0.25 * k).toArray(Double[]::new);
+    all[21] = 0.6;
+    all[22] = 1.25 + 1e-15;
+    Run listed = Run.of(create(1e-7), new Pushed(all), from, new double[] {0.1, 1}, to);
+    Pushed sampled = new Sampled(direction, 2.0, 1.0, 0.6, 1.25 + 1e-15);
+    Run ofBoth = Run.of(create(1e-7), sampled, from, new double[] {0.1, 1}, to);
+    assertThat(ofBoth.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(ofBoth.atEnd()).isEqualTo(listed.atEnd());
+  }
+
+  /** A sequence of a thousand million places takes no memory, and is taken up in its middle. */
+  @Test
+  void placesWithoutEndAreTakenUp() {
+    class Endless extends Pushed {
+      @Override
+      public LongToDoubleFunction sequence() {
+        return k -> 0.25 * k;
+      }
+    }
+    Integrator whole = create(1e-7);
+    StepResult result = whole.start(new Endless(), 0, new double[] {0.1, 1}, 1e9);
+    while (result == StepResult.ADVANCED && whole.time() < 5) {
+      result = whole.step();
+    }
+    Integrator first = create(1e-7);
+    result = first.start(new Endless(), 0, new double[] {0.1, 1}, 1e9);
+    while (result == StepResult.ADVANCED && first.time() < 2.1) {
+      result = first.step();
+    }
+    Integrator second = create(1e-7);
+    result = second.resume(new Endless(), first.save());
+    while (result == StepResult.ADVANCED && second.time() < 5) {
+      result = second.step();
+    }
+    assertThat(second.time()).isEqualTo(whole.time()).isEqualTo(5);
+    assertThat(Run.state(second, 5, 2)).isEqualTo(Run.state(whole, 5, 2));
   }
 
   private static double digits(double[] y, double[] reference) {

@@ -1,7 +1,6 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -127,9 +126,10 @@ public final class Simulation implements Solver {
   @Override
   public StepwiseRun stepped(Model model, RunRequest request, ResultSink sink, String modelHash)
       throws IOException {
-    Run run = begun(model, request, sink, new RunControl(), new SteppedRun.Saving(modelHash));
+    RunControl control = new RunControl();
+    Run run = begun(model, request, sink, control, new SteppedRun.Saving(modelHash));
     run.breakAtRows();
-    return new SteppedRun(run);
+    return new SteppedRun(run, control);
   }
 
   /** One run in progress. */
@@ -151,6 +151,7 @@ public final class Simulation implements Solver {
     private final RunNoteCollector notes;
     private final RunFailures failures;
     private final Optional<MomentumBalance> momentum;
+    private final ChosenState chosen;
 
     /** Of integrators whose stability has a limit. */
     private final Optional<StiffnessSamples> stiffness;
@@ -201,6 +202,7 @@ public final class Simulation implements Solver {
           IntegrationMethod.find(settings.integrator())
               .filter(IntegrationMethod::stabilityHasLimit)
               .map(method -> new StiffnessSamples(model, equations.dimension(), settings));
+      chosen = new ChosenState(equations, settings);
       y = new double[equations.dimension()];
       yDot = new double[equations.dimension()];
       timeReached = settings.tStart();
@@ -389,11 +391,8 @@ public final class Simulation implements Solver {
 
     /** Makes steps end exactly at the rows. */
     void breakAtRows() {
-      List<Double> times = new ArrayList<>();
-      for (long row = 1; row < outputTimes.count(); row++) {
-        times.add(outputTimes.time(row));
-      }
-      equations.alsoBreakAt(times);
+      equations.alsoBreakAt(
+          index -> index + 1 < outputTimes.count() ? outputTimes.time(index + 1) : Double.NaN);
     }
 
     /** Steps until the next output time has its row; empty if the run goes on from there. */
@@ -431,14 +430,14 @@ public final class Simulation implements Solver {
     /**
      * Goes on from other unknowns; returns the outcome if that is not possible.
      *
-     * @param moved whether the loops are to be closed first
+     * @param present those that the run has reached; not modified
+     * @param unknowns those to go on from: where they are others the loops are closed with them
+     *     held; overwritten
+     * @throws IllegalArgumentException S-195 if the loops do not close so; nothing has changed
      */
-    Optional<Outcome> goOnFrom(double[] unknowns, boolean moved) {
-      if (moved && !equations.closeLoops(timeReached, unknowns)) {
-        return Optional.of(failures.ofRow(timeReached, RunFailures.LOOPS_OPEN));
-      }
-      copyUnknowns(y);
-      double given = energyNet.change(equations.evaluationTime(timeReached), y, unknowns);
+    Optional<Outcome> goOnFrom(double[] present, double[] unknowns) {
+      chosen.close(equations.evaluationTime(timeReached), present, unknowns);
+      double given = energyNet.change(equations.evaluationTime(timeReached), present, unknowns);
       work.add(given);
       stepWork.add(given);
       events.continueFrom(timeReached);
@@ -447,6 +446,19 @@ public final class Simulation implements Solver {
       return result == StepResult.ADVANCED
           ? Optional.empty()
           : Optional.of(result == StepResult.FAILED ? integratorFailed() : new Outcome.Completed());
+    }
+
+    /**
+     * Writes the row of a state from which the run goes on; the outcome if that is not possible.
+     */
+    Optional<Outcome> writeRow(double[] unknowns) throws IOException {
+      boolean unmeasured = !rows.measuresWork() && stepWork.turnover() > 0;
+      double t = equations.evaluationTime(timeReached);
+      int badColumn =
+          rows.write(timeReached, t, unknowns, work.work(), work.turnover(), unmeasured);
+      return badColumn == RowWriter.ALL_FINITE
+          ? Optional.empty()
+          : Optional.of(failures.ofRow(timeReached, badColumn));
     }
 
     byte[] save() {

@@ -1,10 +1,11 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.Optional;
-import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.StepwiseRun;
 import org.mechservice.solver.ode.SavedState;
@@ -28,23 +29,34 @@ final class SteppedRun implements StepwiseRun {
   }
 
   private final Simulation.Run run;
+  private final RunControl control;
+
+  /** The unknowns that the run has reached, and those from which it goes on. */
+  private final double[] present;
+
   private final double[] unknowns;
   private Optional<Outcome> ended = Optional.empty();
-  private final int coordinates;
-  private boolean changed;
-  private boolean moved;
+  private volatile boolean stepping;
 
-  SteppedRun(Simulation.Run run) {
+  /**
+   * @param control that of the run
+   */
+  SteppedRun(Simulation.Run run, RunControl control) {
     this.run = run;
-    ModelDescription description = run.equations().model().description();
-    coordinates = description.positionCount() + description.velocityCount();
-    unknowns = new double[run.equations().dimension()];
+    this.control = control;
+    present = new double[run.equations().dimension()];
+    unknowns = new double[present.length];
   }
 
   @Override
   public void begin() throws IOException {
     ended = run.begin();
-    run.copyUnknowns(unknowns);
+    run.copyUnknowns(present);
+    setBack();
+  }
+
+  private void setBack() {
+    System.arraycopy(present, 0, unknowns, 0, present.length);
   }
 
   @Override
@@ -54,27 +66,60 @@ final class SteppedRun implements StepwiseRun {
 
   @Override
   public void set(int component, double value) {
-    boolean another = unknowns[component] != value;
-    changed |= another;
-    moved |= another && component < coordinates;
     unknowns[component] = value;
   }
 
   @Override
-  public boolean step() throws IOException {
+  public void settle() throws IOException {
+    requireGoesOn();
+    takeOver();
+    if (ended.isEmpty()) {
+      ended = run.writeRow(unknowns);
+    }
+  }
+
+  /** Goes on from what was set, if anything was. */
+  private void takeOver() {
+    if (Arrays.equals(present, unknowns)) {
+      return;
+    }
+    try {
+      ended = run.goOnFrom(present, unknowns);
+    } catch (IllegalArgumentException e) {
+      setBack();
+      throw e;
+    }
+    System.arraycopy(unknowns, 0, present, 0, present.length);
+  }
+
+  private void requireGoesOn() {
     if (ended.isPresent()) {
       throw new IllegalStateException("the run has ended at " + run.timeReached() + " s");
     }
-    if (changed) {
-      ended = run.goOnFrom(unknowns, moved);
-      changed = false;
-      moved = false;
+  }
+
+  @Override
+  public boolean step() throws IOException {
+    requireGoesOn();
+    stepping = true;
+    try {
+      takeOver();
+      if (ended.isEmpty()) {
+        ended = run.stepToRow();
+      }
+    } finally {
+      stepping = false;
     }
-    if (ended.isEmpty()) {
-      ended = run.stepToRow();
-    }
-    run.copyUnknowns(unknowns);
+    run.copyUnknowns(present);
+    setBack();
     return ended.isEmpty();
+  }
+
+  @Override
+  public void interrupt() {
+    if (stepping) {
+      control.stop();
+    }
   }
 
   @Override
@@ -110,11 +155,11 @@ final class SteppedRun implements StepwiseRun {
           run.restore(state.bytes(new byte[0]));
           transfer(state);
         });
+    ended = Optional.empty();
   }
 
   private void transfer(SavedState state) {
+    state.numbers(present);
     state.numbers(unknowns);
-    changed = state.flag(changed);
-    moved = state.flag(moved);
   }
 }

@@ -153,6 +153,41 @@ class ConfinedStepsTest {
   }
 
   @Test
+  void stepIsInterruptedFromAnotherThread() throws Exception {
+    Begun begun = begun(HANGING, LONG);
+    begun.run().step();
+    Thread interrupting =
+        new Thread(
+            () -> {
+              while (begun.run().isRunning()) {
+                begun.run().interrupt();
+                Thread.onSpinWait();
+              }
+            });
+    interrupting.start();
+    begun.run().step();
+    interrupting.join();
+    assertThat(begun.run().report().outcome()).isInstanceOf(Outcome.Stopped.class);
+    assertThat(begun.isGone()).isTrue();
+  }
+
+  @Test
+  void stateIsSetAndTheRunBeginsAgain() throws Exception {
+    SteppedModel run = begun(PushedCart.harmlessSource(), LONG).run();
+    run.step();
+    double[] row = run.row();
+    double[] state = run.state();
+    state[0] = 2;
+    run.state(state);
+    assertThat(run.value("slide.q")).isEqualTo(2);
+    run.reset();
+    assertThat(run.time()).isZero();
+    assertThat(run.value("slide.q")).isNotEqualTo(2);
+    run.step();
+    assertThat(run.row()).isEqualTo(row);
+  }
+
+  @Test
   void lossOfTheProcessBetweenTwoStepsIsTold() throws Exception {
     Begun begun = begun(PushedCart.harmlessSource(), LONG);
     begun.run().step();

@@ -64,6 +64,9 @@ public final class SteppedModel {
 
   private final double[] y;
 
+  /** The run at its start. */
+  private byte[] start = {};
+
   /**
    * The run behind it, and what its state is made of.
    *
@@ -149,6 +152,9 @@ public final class SteppedModel {
       throw noFile(e);
     }
     stepped.requireNoFailure();
+    if (stepped.isRunning()) {
+      stepped.start = stepped.run.save();
+    }
     return stepped;
   }
 
@@ -171,7 +177,8 @@ public final class SteppedModel {
   /** Goes on with a saved run that is somewhere else. */
   public static SteppedModel restored(Source source, byte[] saved) {
     SteppedModel stepped = of(source);
-    stepped.run.restore(saved);
+    stepped.start = saved.clone();
+    stepped.reset();
     return stepped;
   }
 
@@ -303,8 +310,7 @@ public final class SteppedModel {
   }
 
   /**
-   * Returns the value of a column at the time reached; those of a restored run come with its first
-   * step.
+   * Returns the value of a column at the time reached.
    *
    * @throws IllegalArgumentException S-195 if there is none of that name
    */
@@ -325,10 +331,14 @@ public final class SteppedModel {
   }
 
   /**
-   * Sets the state from which the next step begins; loops are closed from there.
+   * Sets the state from which the next step begins; {@link #row} and {@link #value} are those of it
+   * at once. Coordinates that are others than before are held, and the loops make the rest follow.
    *
    * @param state as {@link #state} returns it; not modified
-   * @throws IllegalArgumentException S-195 if its length is wrong or a number is not finite
+   * @throws IllegalArgumentException S-195 if its length is wrong, a number is not finite, or the
+   *     loops do not close so; the state is that before then
+   * @throws IllegalStateException if the run has ended
+   * @throws RunFailedException if the run cannot go on from there; says why
    */
   public void state(double[] state) {
     if (state.length != y.length) {
@@ -338,6 +348,37 @@ public final class SteppedModel {
     for (int i = 0; i < state.length; i++) {
       run.set(i, state[i]);
     }
+    settle();
+  }
+
+  /**
+   * Goes back to where this run began: time, state, inputs and all that a step depends on.
+   *
+   * @throws IllegalStateException if a worker of the run is lost, or the run began at its end
+   */
+  public void reset() {
+    if (start.length == 0) {
+      throw new IllegalStateException("the run begins at its end, so it cannot begin again");
+    }
+    run.restore(start);
+    settle();
+  }
+
+  private void settle() {
+    try {
+      run.settle();
+    } catch (IOException e) {
+      throw noFile(e);
+    }
+    requireNoFailure();
+  }
+
+  /**
+   * Ends a step that another thread takes, at the last step of the integrator, and with it the run.
+   * Nothing happens if there is none. The only method for other threads.
+   */
+  public void interrupt() {
+    run.interrupt();
   }
 
   /** Returns what has happened so far. */

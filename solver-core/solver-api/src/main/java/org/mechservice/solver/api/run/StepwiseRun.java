@@ -27,21 +27,35 @@ public interface StepwiseRun {
   void state(double[] y);
 
   /**
-   * Sets a component of the state from which the next step begins; loops are closed again.
+   * Sets a component of the state from which the next step begins.
    *
    * @param component index in [q; v; s]
    */
   void set(int component, double value);
 
   /**
+   * Takes over what was set: closes the loops with the components that were set held and the others
+   * following them. Writes the row of the state, also if nothing was set; a step does not.
+   *
+   * @throws IllegalArgumentException S-195 if the loops do not close so; the state is that before
+   *     anything was set, and the run can go on from there
+   * @throws IllegalStateException if the run has ended
+   * @throws IOException if the sink throws it
+   */
+  void settle() throws IOException;
+
+  /**
    * Advances to the next output time and writes its row.
    *
-   * @return whether the run goes on from there; not if the loops cannot be closed at a state that
-   *     was set, which is a failure like those of the integration
+   * @return whether the run goes on from there
+   * @throws IllegalArgumentException as of {@link #settle}
    * @throws IllegalStateException if the run has ended
    * @throws IOException if the sink throws it
    */
   boolean step() throws IOException;
+
+  /** Ends a step that another thread takes, and with it the run; without one, nothing happens. */
+  void interrupt();
 
   /** Returns the time reached, s. */
   double time();
@@ -60,8 +74,8 @@ public interface StepwiseRun {
   byte[] save();
 
   /**
-   * Goes on with a saved run of the same model and settings instead of {@link #begin}; its rows are
-   * then the same to the bit.
+   * Goes on with a saved run of the same model and settings, instead of {@link #begin} or from
+   * wherever this one is; its rows are then the same to the bit.
    *
    * @throws IllegalArgumentException S-071 if the bytes do not belong to such a run
    */

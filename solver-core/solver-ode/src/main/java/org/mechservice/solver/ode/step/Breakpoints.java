@@ -1,15 +1,15 @@
 package org.mechservice.solver.ode.step;
 
-import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.LongToDoubleFunction;
+import java.util.stream.DoubleStream;
 import org.mechservice.solver.ode.PiecewiseSystem;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.SystemParts;
 
 /** The places at which the equations jump, in the direction of integration. */
 public final class Breakpoints {
-  private static final double[] NONE = {Double.POSITIVE_INFINITY};
-
   /**
    * Relative distance of a place within which the equations are not evaluated: where they jump is
    * known to rounding.
@@ -19,14 +19,23 @@ public final class Breakpoints {
   /** Relative distance within which places are one, from the first to the last of them. */
   private static final double ONE = 1024 * Math.ulp(1.0);
 
-  /** Places times the direction, ascending, the last one infinite. */
-  private double[] ahead = NONE;
+  /** Listed places times the direction, ascending, the last one infinite. */
+  private double[] listed = {Double.POSITIVE_INFINITY};
 
-  /** Of each place, the last of those that are one with it. */
-  private double[] until = NONE;
+  /** Places that are not listed, in the direction of integration. */
+  private LongToDoubleFunction sequence = index -> Double.NaN;
 
   private double direction = 1;
-  private int next;
+
+  /** How many places lie behind, of the list and of the sequence. */
+  private int passedOfList;
+
+  private long passedOfSequence;
+
+  /** The next place times the direction, and the last of those that are one with it. */
+  private double ahead = Double.POSITIVE_INFINITY;
+
+  private double until = Double.POSITIVE_INFINITY;
 
   /** The piece in which the equations are evaluated, in the direction of integration. */
   private double first = Double.NEGATIVE_INFINITY;
@@ -41,39 +50,58 @@ public final class Breakpoints {
    */
   public void begin(SystemParts system, double t0, double tEnd) {
     direction = tEnd < t0 ? -1 : 1;
-    List<Double> places =
-        system.part(PiecewiseSystem.class).map(PiecewiseSystem::breakpoints).orElse(List.of());
-    setPlaces(direction * t0, places);
-    next = 0;
+    double start = direction * t0;
+    Optional<PiecewiseSystem> pieces = system.part(PiecewiseSystem.class);
+    List<Double> places = pieces.map(PiecewiseSystem::breakpoints).orElse(List.of());
+    DoubleStream ascending =
+        places.stream()
+            .mapToDouble(place -> direction * requireNumber(place))
+            .filter(place -> place >= start)
+            .sorted();
+    listed = DoubleStream.concat(ascending, DoubleStream.of(Double.POSITIVE_INFINITY)).toArray();
+    sequence = pieces.map(PiecewiseSystem::sequence).orElse(index -> Double.NaN);
+    passedOfList = 0;
+    passedOfSequence = 0;
+    while (ofSequence() < start) {
+      passedOfSequence++;
+    }
     first = Double.NEGATIVE_INFINITY;
-    last = before(ahead[0]);
+    findNext();
     if (reachedAt(t0)) {
       pass();
     }
   }
 
-  private void setPlaces(double start, List<Double> places) {
-    double[] ascending =
-        places.stream()
-            .mapToDouble(place -> direction * requireNumber(place))
-            .filter(place -> place >= start)
-            .sorted()
-            .toArray();
-    double[] from = new double[ascending.length + 1];
-    double[] to = new double[from.length];
-    int count = 0;
-    for (double place : ascending) {
-      if (count > 0 && place - from[count - 1] <= ONE * Math.abs(place)) {
-        to[count - 1] = place;
-      } else {
-        from[count] = place;
-        to[count++] = place;
-      }
+  private double ofSequence() {
+    double place = direction * sequence.applyAsDouble(passedOfSequence);
+    return Double.isNaN(place) ? Double.POSITIVE_INFINITY : place;
+  }
+
+  /** Finds the next place and those that are one with it. */
+  private void findNext() {
+    ahead = takeNearest();
+    until = ahead;
+    while (nearest() - ahead <= ONE * Math.abs(ahead) && !Double.isInfinite(nearest())) {
+      until = takeNearest();
     }
-    from[count] = Double.POSITIVE_INFINITY;
-    to[count] = Double.POSITIVE_INFINITY;
-    ahead = Arrays.copyOf(from, count + 1);
-    until = Arrays.copyOf(to, count + 1);
+    last = before(ahead);
+  }
+
+  private double nearest() {
+    return Math.min(listed[passedOfList], ofSequence());
+  }
+
+  private double takeNearest() {
+    double place = nearest();
+    if (Double.isInfinite(place)) {
+      return place;
+    }
+    if (place == listed[passedOfList]) {
+      passedOfList++;
+    } else {
+      passedOfSequence++;
+    }
+    return place;
   }
 
   private static double requireNumber(double place) {
@@ -98,19 +126,18 @@ public final class Breakpoints {
 
   /** Returns the next place; infinite, in the direction of integration, if there is none. */
   public double next() {
-    return direction * ahead[next];
+    return direction * ahead;
   }
 
   /** Returns whether {@code t} is the next place. */
   public boolean reachedAt(double t) {
-    return direction * t >= ahead[next];
+    return direction * t >= ahead;
   }
 
   /** Goes on beyond the next place. */
   public void pass() {
-    first = behind(until[next]);
-    next++;
-    last = before(ahead[next]);
+    first = behind(until);
+    findNext();
   }
 
   /** Goes on beyond all places up to {@code t}. */
@@ -125,14 +152,16 @@ public final class Breakpoints {
     return direction * Math.max(first, Math.min(last, direction * t));
   }
 
-  /** Carries over how many places were passed. */
+  /** Carries over which places were passed. */
   public void transfer(SavedState state) {
-    int passed = state.integer(next);
-    if (passed < 0 || passed >= ahead.length) {
+    passedOfList = state.integer(passedOfList);
+    passedOfSequence = state.integer(passedOfSequence);
+    if (passedOfList < 0 || passedOfList >= listed.length || passedOfSequence < 0) {
       throw new IllegalArgumentException("the saved state has passed other breakpoints");
     }
-    next = passed;
-    first = passed == 0 ? Double.NEGATIVE_INFINITY : behind(until[passed - 1]);
-    last = before(ahead[passed]);
+    ahead = state.number(ahead);
+    until = state.number(until);
+    first = state.number(first);
+    last = state.number(last);
   }
 }

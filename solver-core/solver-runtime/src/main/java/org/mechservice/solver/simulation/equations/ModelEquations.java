@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongToDoubleFunction;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.StateVariable;
@@ -40,6 +41,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   private final int[] groupStarts;
   private final boolean[] angle;
   private List<Double> breakpoints = List.of();
+  private Optional<LongToDoubleFunction> sequence = Optional.empty();
   private boolean endsBehindChanges;
   private RunEvents events = new RunEvents();
   private int result = ExplicitModel.REGULAR;
@@ -144,13 +146,13 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   }
 
   /**
-   * Closes the loops after an event.
+   * Closes the loops after unknowns have been set, by an event or from outside.
    *
    * @param y unknowns; overwritten
-   * @param set whether the event set each of them; not modified
+   * @param set whether each of them was set, which holds it if the loops permit; not modified
    * @return false if the loops cannot be closed
    */
-  final boolean closeLoopsAfterJump(double t, double[] y, boolean[] set) {
+  public final boolean closeLoopsAfterJump(double t, double[] y, boolean[] set) {
     return model instanceof StateJumps loops ? loops.jump(t, y, set) : closeLoops(t, y);
   }
 
@@ -169,11 +171,18 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
     breakpoints = List.copyOf(times);
   }
 
-  /** Adds times at which steps end and begin anew. */
-  public final void alsoBreakAt(List<Double> times) {
-    List<Double> all = new ArrayList<>(breakpoints);
-    all.addAll(times);
-    breakpoints = List.copyOf(all);
+  /**
+   * Adds times at which steps end and begin anew.
+   *
+   * @param times as {@link #sequence} has them
+   */
+  public final void alsoBreakAt(LongToDoubleFunction times) {
+    sequence = Optional.of(times);
+  }
+
+  @Override
+  public final LongToDoubleFunction sequence() {
+    return sequence.orElseGet(PiecewiseSystem.super::sequence);
   }
 
   @Override
@@ -193,7 +202,8 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
    * @param t where a step ends, s
    */
   public final double inset(double t) {
-    return endsBehindChanges || !breakpoints.isEmpty() ? BESIDE_CHANGES * Math.ulp(t) : 0;
+    boolean breaks = endsBehindChanges || !breakpoints.isEmpty() || sequence.isPresent();
+    return breaks ? BESIDE_CHANGES * Math.ulp(t) : 0;
   }
 
   /** Returns the name of an unknown. */
