@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -360,6 +361,7 @@ public final class OptimiseCommand implements Callable<Integer> {
         text.append(": ").append(standing(optimum, i)).append('\n');
       }
     }
+    optimality(optimum).ifPresent(said -> text.append(said).append('\n'));
     return text.append("method ")
         .append(optimum.method().label())
         .append(", ")
@@ -371,6 +373,20 @@ public final class OptimiseCommand implements Callable<Integer> {
         .append(" failed")
         .append(derivatives)
         .toString();
+  }
+
+  /** Returns whether the end is an optimum, and by which measure. */
+  static Optional<String> optimality(Optimum optimum) {
+    return optimum
+        .isLocal()
+        .map(
+            local ->
+                (local
+                        ? "a local optimum: "
+                        : "no local optimum yet (go on from here, with sqp or more runs): ")
+                    + "slopes promise "
+                    + shown(optimum.promise().orElseThrow())
+                    + " of the objective within 0.1 % of the ranges");
   }
 
   static String counted(int count, String what) {
@@ -403,6 +419,8 @@ public final class OptimiseCommand implements Callable<Integer> {
       aims.add(aim);
     }
     all.add("aims", aims);
+    optimum.isLocal().ifPresent(local -> all.addProperty("localOptimum", local));
+    optimum.promise().ifPresent(promise -> all.addProperty("promise", promise));
     all.addProperty("method", optimum.method().label());
     all.addProperty("starts", optimum.starts().size());
     all.addProperty("runs", optimum.runs());

@@ -32,6 +32,9 @@ final class OptimumPage {
             + optimum.failures()
             + " failed."
             + (optimum.best().isFeasible() ? "" : " <b>No point satisfies all constraints.</b>")
+            + OptimiseCommand.optimality(optimum)
+                .map(said -> "</p>\n<p>The best point is " + escaped(said) + ".")
+                .orElse("")
             + "</p>\n<h2>Parameters</h2>\n"
             + variables(optimum)
             + "<h2>What was asked</h2>\n"

@@ -12,15 +12,17 @@ import java.util.stream.IntStream;
  *     residuals; and constraints
  * @param response values of the aims as functions of the variables
  * @param slopes their derivatives by the variables; empty if methods are to take differences
+ * @param composition what aims with corners are made of; empty if it is not known
  */
 public record DesignProblem(
     List<DesignVariable> variables,
     List<Aim> aims,
     Response response,
-    Optional<Derivatives> slopes) {
+    Optional<Derivatives> slopes,
+    Optional<Composition> composition) {
   /** A problem without derivatives. */
   public DesignProblem(List<DesignVariable> variables, List<Aim> aims, Response response) {
-    this(variables, aims, response, Optional.empty());
+    this(variables, aims, response, Optional.empty(), Optional.empty());
   }
 
   /**
@@ -75,6 +77,11 @@ public record DesignProblem(
 
   boolean hasConstraints() {
     return aims.stream().anyMatch(Aim::isConstraint);
+  }
+
+  /** Returns whether aims are made of extremes. */
+  boolean hasCorners() {
+    return composition.isPresent() && !composition.get().extremes().isEmpty();
   }
 
   boolean hasResiduals() {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 
 /**
@@ -145,7 +146,8 @@ public record Front(
               problem.variables(),
               Arrays.stream(kept).mapToObj(problem.aims()::get).toList(),
               x -> chosen(problem.response().at(x), kept),
-              problem.slopes().map(slopes -> x -> chosen(slopes.at(x), kept)));
+              problem.slopes().map(slopes -> x -> chosen(slopes.at(x), kept)),
+              problem.composition().map(made -> made.withAims(values -> chosen(values, kept))));
       return best(alone)
           .orElseThrow(() -> new PointFailedException("no point satisfies all constraints"));
     }
@@ -158,13 +160,18 @@ public record Front(
       for (int j = 0; j < from.point().length; j++) {
         variables.add(problem.variables().get(j).startingAt(from.point()[j]));
       }
-      Response response =
-          x -> {
-            double[] values = problem.response().at(x).clone();
-            values[held] -= atMost;
-            return values;
+      UnaryOperator<double[]> lowered =
+          values -> {
+            double[] less = values.clone();
+            less[held] -= atMost;
+            return less;
           };
-      return new DesignProblem(variables, aims, response, problem.slopes());
+      return new DesignProblem(
+          variables,
+          aims,
+          x -> lowered.apply(problem.response().at(x)),
+          problem.slopes(),
+          problem.composition().map(made -> made.withAims(lowered)));
     }
 
     private Optimum counted(DesignProblem each) throws PointFailedException, InterruptedException {

@@ -7,11 +7,11 @@ import java.util.stream.Collectors;
 /** Methods of optimisation. */
 public enum Method {
   /** The method that suits the problem. */
-  AUTO("lm for residuals, sqp with constraints, else bobyqa"),
+  AUTO("lm for residuals, sqp with constraints, min or max, else bobyqa"),
   /** Levenberg-Marquardt, for residuals. */
   LM("Levenberg-Marquardt, for residuals without constraints"),
   /** Sequential quadratic programming. */
-  SQP("sequential quadratic programming, with derivatives by differences"),
+  SQP("sequential quadratic programming; linear programs of rows where min or max has corners"),
   /** Powell's quadratic models on a trust region, without derivatives. */
   BOBYQA("Powell's quadratic models, without derivatives"),
   /** Covariance matrix adaptation, an evolution strategy. */
@@ -54,7 +54,9 @@ public enum Method {
       case AUTO ->
           problem.hasResiduals() && !problem.hasConstraints()
               ? LM
-              : problem.hasConstraints() || problem.objectives().length > 1 ? SQP : BOBYQA;
+              : problem.hasConstraints() || problem.hasCorners() || problem.objectives().length > 1
+                  ? SQP
+                  : BOBYQA;
       case LM -> {
         if (!problem.hasResiduals() || problem.hasConstraints()) {
           throw new IllegalArgumentException(

@@ -2,8 +2,10 @@ package org.mechservice.study.optimise;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.DoubleBuffer;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -14,6 +16,7 @@ import java.util.stream.Collectors;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.api.ModelParameter;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.study.PointModel;
 import org.mechservice.study.PointOutcome;
 import org.mechservice.study.Reduction;
@@ -26,6 +29,12 @@ import org.mechservice.study.gradient.RowGradients;
 public final class ModelDesign {
   /** Step of the differences of formulas, a part of a variable's range: the cube root of 1e-16. */
   private static final double FORMULA_STEP = 1e-5;
+
+  /** Rows of extremes beyond which these are taken as smooth: a simplex of them is no program. */
+  private static final int MOST_ROWS = 10_000;
+
+  /** Points whose quantities are kept: those of the differences of twenty variables. */
+  private static final int KNOWN_POINTS = 64;
 
   private static final Pattern RELATION = Pattern.compile("<=|>=|==|<|>|=");
 
@@ -150,24 +159,111 @@ public final class ModelDesign {
     if (reductions.isEmpty()) {
       throw new IllegalArgumentException("no formula names an output of the model");
     }
-    PointModel points = PointModel.of(model, names, reductions);
+    Parts parts = parts(names);
     Optional<Derivatives> slopes = Optional.empty();
     if (exact) {
       RowGradients gradients = RowGradients.of(model, names, reductions);
-      slopes = Optional.of(point -> slopes(points, gradients, point));
+      slopes = Optional.of(point -> slopes(parts, gradients, point));
     }
     return new DesignProblem(
         variables,
         wanted.stream().map(AimFormula::aim).toList(),
-        point -> values(points, point),
-        slopes);
+        point -> parts.aims(parts.quantities(point), point),
+        slopes,
+        Optional.of(parts));
+  }
+
+  /** Returns the reductions of a run, and the rows of those that are extremes. */
+  private Parts parts(List<String> names) throws MechmlException {
+    List<Reduction> all = new ArrayList<>(reductions);
+    for (Reduction reduction : reductions) {
+      if (isExtreme(reduction)) {
+        all.add(new Reduction(reduction.column(), Reduction.Kind.SERIES, Double.NaN));
+      }
+    }
+    RunSettings run = model.request().settings();
+    double rows = (run.tEnd() - run.tStart()) / run.tStep() + 1;
+    if (rows * (all.size() - reductions.size()) > MOST_ROWS) {
+      return new Parts(PointModel.of(model, names, reductions), List.of());
+    }
+    PointModel points = PointModel.of(model, names, all);
+    List<Composition.Extreme> extremes = new ArrayList<>();
+    int from = reductions.size();
+    int each = (points.names().size() - from) / Math.max(1, all.size() - from);
+    for (int i = 0; i < reductions.size(); i++) {
+      if (isExtreme(reductions.get(i))) {
+        boolean largest = reductions.get(i).kind() == Reduction.Kind.MAX;
+        extremes.add(new Composition.Extreme(i, largest, from, from + each));
+        from += each;
+      }
+    }
+    return new Parts(points, extremes);
+  }
+
+  private static boolean isExtreme(Reduction reduction) {
+    return reduction.kind() == Reduction.Kind.MIN || reduction.kind() == Reduction.Kind.MAX;
+  }
+
+  /** What the aims are made of. */
+  private final class Parts implements Composition {
+    private final PointModel points;
+    private final List<Extreme> extremes;
+
+    /** Those of the points asked for last. */
+    private final Map<DoubleBuffer, double[]> known =
+        new LinkedHashMap<>() {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          protected boolean removeEldestEntry(Map.Entry<DoubleBuffer, double[]> eldest) {
+            return size() > KNOWN_POINTS;
+          }
+        };
+
+    Parts(PointModel points, List<Extreme> extremes) {
+      this.points = points;
+      this.extremes = extremes;
+    }
+
+    @Override
+    public List<Extreme> extremes() {
+      return extremes;
+    }
+
+    @Override
+    public int count() {
+      return reductions.size();
+    }
+
+    @Override
+    public double[] quantities(double[] point) throws PointFailedException {
+      DoubleBuffer key = DoubleBuffer.wrap(point.clone());
+      synchronized (known) {
+        double[] before = known.get(key);
+        if (before != null) {
+          return before;
+        }
+      }
+      double[] quantities = reduced(points, named(point));
+      synchronized (known) {
+        known.put(key, quantities);
+      }
+      return quantities;
+    }
+
+    @Override
+    public double[] aims(double[] quantities, double[] point) {
+      Map<String, Double> all = new HashMap<>(fixed);
+      all.putAll(named(point));
+      return wanted.stream().mapToDouble(each -> each.value(quantities, all)).toArray();
+    }
   }
 
   /**
    * Returns the derivatives of the aims: exact ones of the reductions, and differences of the
    * formulas, which cost no runs.
    */
-  private double[][] slopes(PointModel points, RowGradients gradients, double[] point)
+  private double[][] slopes(Parts parts, RowGradients gradients, double[] point)
       throws PointFailedException {
     double[][] byVariable;
     try {
@@ -176,14 +272,14 @@ public final class ModelDesign {
       throw PointFailedException.at(
           variables, point, "the gradient", String.valueOf(e.getMessage()));
     }
-    double[] reduced = reduced(points, named(point));
+    double[] reduced = parts.quantities(point);
     double[][] slopes = new double[wanted.size()][point.length];
     for (int j = 0; j < point.length; j++) {
       double range = variables.get(j).upper() - variables.get(j).lower();
       for (int side = -1; side <= 1; side += 2) {
         double move = side * FORMULA_STEP * range;
         double[] moved = reduced.clone();
-        for (int r = 0; r < moved.length; r++) {
+        for (int r = 0; r < byVariable.length; r++) {
           moved[r] += move * byVariable[r][j];
         }
         Map<String, Double> all = new HashMap<>(fixed);
@@ -203,13 +299,6 @@ public final class ModelDesign {
       set.put(variables.get(j).name(), point[j]);
     }
     return set;
-  }
-
-  private double[] values(PointModel points, double[] point) throws PointFailedException {
-    double[] reduced = reduced(points, named(point));
-    Map<String, Double> all = new HashMap<>(fixed);
-    all.putAll(named(point));
-    return wanted.stream().mapToDouble(each -> each.value(reduced, all)).toArray();
   }
 
   /**

@@ -1,8 +1,10 @@
 package org.mechservice.study.optimise;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -66,7 +68,25 @@ public final class Optimiser {
               .or(() -> starts.get(0).best().flatMap(Trial::failure))
               .orElse("no point could be computed"));
     }
-    return new Optimum(problem, method, starts, best.get());
+    return new Optimum(problem, method, starts, best.get(), promise(problem, settings, best.get()));
+  }
+
+  /** Asks linear models at the best point what they promise; empty if there are none. */
+  private static OptionalDouble promise(
+      DesignProblem problem, OptimiserSettings settings, Trial best) {
+    if (problem.composition().isEmpty()) {
+      return OptionalDouble.empty();
+    }
+    int n = problem.variables().size();
+    Trials trials = new Trials(problem, best.start(), 3 * n + 1, settings.failedAs());
+    double[] parts = new double[n];
+    Arrays.setAll(parts, j -> problem.variables().get(j).part(best.point()[j]));
+    try {
+      return new Minimax(problem, problem.composition().get(), trials, settings.step())
+          .promise(parts);
+    } catch (PointFailedException | Trials.OutOfRunsException | Trials.StartFailedException e) {
+      return OptionalDouble.empty();
+    }
   }
 
   private static double[][] starts(DesignProblem problem, OptimiserSettings settings) {
@@ -89,7 +109,7 @@ public final class Optimiser {
     try {
       switch (method) {
         case LM -> leastSquares(trials, settings.step(), from);
-        case SQP -> new QuadraticProgramming(problem, trials, settings.step()).minimise(from);
+        case SQP -> quadratic(problem, trials, settings.step(), from);
         case BOBYQA, CMAES ->
             new AugmentedLagrangian(trials, method, settings.seed() + 1000L * number)
                 .minimise(from);
@@ -99,6 +119,28 @@ public final class Optimiser {
       ended = Optional.of(String.valueOf(e.getMessage()));
     }
     return new Optimum.Start(trials.all(), ended);
+  }
+
+  /** Smooth steps, then, where extremes make corners, steps along these, as long as both help. */
+  private static void quadratic(DesignProblem problem, Trials trials, double step, double[] from) {
+    double[] point = from.clone();
+    Optional<Trial> before = Optional.empty();
+    do {
+      before = trials.best();
+      new QuadraticProgramming(problem, trials, step).minimise(point);
+      if (!problem.hasCorners()) {
+        return;
+      }
+      Trial best = trials.best().orElseThrow();
+      Arrays.setAll(point, j -> problem.variables().get(j).part(best.point()[j]));
+      try {
+        new Minimax(problem, problem.composition().get(), trials, step).minimise(point);
+      } catch (PointFailedException e) {
+        return;
+      }
+      Trial corner = trials.best().orElseThrow();
+      Arrays.setAll(point, j -> problem.variables().get(j).part(corner.point()[j]));
+    } while (before.isEmpty() || QuadraticProgramming.improved(before.get(), trials.best().get()));
   }
 
   private static void leastSquares(Trials trials, double step, double[] from) {

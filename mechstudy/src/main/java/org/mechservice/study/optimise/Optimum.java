@@ -3,6 +3,7 @@ package org.mechservice.study.optimise;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * The result of an optimisation.
@@ -11,10 +12,19 @@ import java.util.Optional;
  * @param method the method that each start used
  * @param starts one for each start, in order
  * @param best the best point of all; not feasible if none is
+ * @param promise by how much linear models of the aims and of all rows of extremes would lower the
+ *     objective within 1e-3 of the variables' ranges, relative to its size: next to nothing at a
+ *     local optimum; empty if there are no such models
  */
-public record Optimum(DesignProblem problem, Method method, List<Start> starts, Trial best) {
+public record Optimum(
+    DesignProblem problem, Method method, List<Start> starts, Trial best, OptionalDouble promise) {
   /** Part of a variable's range within which it counts as at its bound. */
   private static final double AT_BOUND = 1e-6;
+
+  /**
+   * Promise that counts as nothing; differences of runs at usual tolerances have errors of 1e-5.
+   */
+  private static final double OPTIMAL = 1e-4;
 
   /** Scaled size of a constraint that counts as zero. */
   private static final double ACTIVE = 1e-4;
@@ -44,6 +54,13 @@ public record Optimum(DesignProblem problem, Method method, List<Start> starts, 
       }
       return best;
     }
+  }
+
+  /** Returns whether the best point is a local optimum by the promise; empty if that is unknown. */
+  public Optional<Boolean> isLocal() {
+    return promise.isEmpty()
+        ? Optional.empty()
+        : Optional.of(best.isFeasible() && promise.getAsDouble() <= OPTIMAL);
   }
 
   /** Returns the points of all starts. */

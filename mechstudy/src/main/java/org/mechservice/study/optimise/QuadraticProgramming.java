@@ -109,7 +109,8 @@ final class QuadraticProgramming {
     return rows;
   }
 
-  private static boolean improved(Trial before, Trial after) {
+  /** Returns whether a point is better than another by more than rounding. */
+  static boolean improved(Trial before, Trial after) {
     return after.isFeasible() != before.isFeasible()
         || before.objective() - after.objective() > IMPROVEMENT * Math.abs(after.objective())
         || before.violation() - after.violation() > Trial.FEASIBLE;

@@ -70,6 +70,14 @@ final class Trials {
     return at(parts).objective() / objectiveScale;
   }
 
+  /** Returns the size of an aim that counts as 1, that of the objective for objectives. */
+  double scale(int aim) {
+    return switch (problem.aims().get(aim).kind()) {
+      case MINIMISE, RESIDUAL -> objectiveScale;
+      case AT_MOST_ZERO, ZERO -> scales[aim];
+    };
+  }
+
   /** Returns the residuals, without the other aims. */
   double[] residuals(double[] parts) throws PointFailedException {
     return chosen(computed(parts), Aim.Kind.RESIDUAL, false);
