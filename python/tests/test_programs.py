@@ -3,6 +3,7 @@
 import importlib.util
 import multiprocessing
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -166,6 +167,37 @@ def test_memory_of_steps_does_not_depend_on_the_end():
     run = mechservice.read(PENDULUM).stepped(0.001, t_end=1e6)
     run.step()
     assert run.time == 0.001 and run.running
+
+
+def test_models_rows_and_runs_are_pickled():
+    model = mechservice.read("examples/elements/Parameters.xml").set(push=4)
+    rows = model.simulate(t_end=0.5, columns=["all"])
+    again = pickle.loads(pickle.dumps(rows))
+    assert np.array_equal(again.values, rows.values) and again.units == rows.units
+    assert again.report == rows.report and again.complete and repr(again) == repr(rows)
+    assert "<canvas" in again.player() or "<script" in again.player()
+    twin = pickle.loads(pickle.dumps(model))
+    assert np.array_equal(
+        twin.simulate(t_end=0.5).values, model.simulate(t_end=0.5).values
+    )
+    text = mechservice.parse(model.mechml(), "text").set(push=4)
+    elsewhere = pickle.loads(pickle.dumps(text))
+    assert np.array_equal(
+        elsewhere.simulate(t_end=0.5).values, model.simulate(t_end=0.5).values
+    )
+    run = mechservice.read(INPUT).stepped(0.01, t_end=0.2)
+    run["force"] = 2
+    run.step()
+    run["force"] = -1
+    other = pickle.loads(pickle.dumps(run))
+    run.step()
+    other.step()
+    assert np.array_equal(run.row, other.row)
+
+
+def test_what_cannot_be_pickled_says_so():
+    with pytest.raises(TypeError, match="pickle its model"):
+        pickle.dumps(mechservice.Builder("Arm"))
 
 
 def test_linear_system_has_names():

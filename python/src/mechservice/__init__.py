@@ -16,6 +16,8 @@ from ._service import Connection, connect
 from ._stepped import Stepped
 from ._trajectory import LinearSystem, Trajectory
 
+__version__ = "0.1.0"
+
 __all__ = [
     "Builder",
     "Connection",

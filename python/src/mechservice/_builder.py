@@ -7,7 +7,7 @@ from typing import Any, Callable, Union
 
 from ._errors import python_errors
 from ._java import java_class, java_path
-from ._model import Model
+from ._model import Model, parse, read
 
 _LIBRARY = "org.mechservice.library."
 
@@ -33,11 +33,14 @@ class Element:
         if java is self._java or java == self._java:
             return self
         if isinstance(java, java_class(_LIBRARY + "MechModel")):
-            return Model(java)
+            return Model(java, made=(parse, (str(java.mechml()), str(java.name()))))
         if isinstance(java, java_class(_LIBRARY + "BuiltElement")):
             kind = _KINDS.get(str(java.getClass().getSimpleName()), Element)
             return kind(java)
         return str(java)
+
+    def __reduce__(self) -> "str":
+        raise TypeError("what is being built cannot be pickled; pickle its model() or its mechml()")
 
     def __repr__(self) -> str:
         return f"<{self._java.getClass().getSimpleName()}>"
@@ -98,4 +101,5 @@ class Builder(Element):
     def writeMechml(self, path: "Union[str, os.PathLike[str]]") -> Model:
         """Writes the model to a file and reads it from there."""
         with python_errors():
-            return Model(self._java.writeMechml(java_path(path)))
+            self._java.writeMechml(java_path(path))
+        return read(path)

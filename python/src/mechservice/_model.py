@@ -21,11 +21,20 @@ Value = Union[float, str]
 
 
 class Model:
-    """A model file with values of its parameters. It never changes: ``set`` returns another one."""
+    """A model file with values of its parameters. It never changes: ``set`` returns another one.
 
-    def __init__(self, java: Any, here: Optional[Callable[[], Any]] = None) -> None:
+    A pickle of it names its file, or has its text, and is read anew elsewhere.
+    """
+
+    def __init__(
+        self,
+        java: Any,
+        here: Optional[Callable[[], Any]] = None,
+        made: "Optional[Tuple[Any, ...]]" = None,
+    ) -> None:
         self._java = java
         self._here = here
+        self._made = made
 
     @property
     def name(self) -> str:
@@ -53,7 +62,7 @@ class Model:
                 java = java.set(name, value if isinstance(value, str) else repr(float(value)))
             return java
 
-        return self._changed(change)
+        return self._changed(change, "set", values)
 
     def silence(self, *warnings: str) -> "Model":
         """Returns the model without some warnings, those of its check and those of its runs.
@@ -62,7 +71,7 @@ class Model:
 
         Raises ModelError if there is no such warning.
         """
-        return self._changed(lambda java: java.silence(list(warnings)))
+        return self._changed(lambda java: java.silence(list(warnings)), "silence", warnings)
 
     def check(self) -> str:
         """Returns what is known about the model before it runs, as ``mech check`` prints it."""
@@ -88,7 +97,8 @@ class Model:
 
         t_end, t_step: end and distance of the rows, s; the file's if not given.
         rtol, atol: tolerances, to be given together.
-        columns: groups besides the joints, such as ``["energy", "bodies"]``.
+        columns: groups besides the joints, such as ``["energy", "bodies"]``; ``["all"]`` for each
+            that the model has.
         simulation: name or number of one of the file's.
         strict: the first warning ends the run.
         csv: a file that takes the rows as well.
@@ -138,17 +148,37 @@ class Model:
             if rtol is not None and atol is not None:
                 java = java.tolerances(float(rtol), [float(atol)])
             if columns is not None:
-                java = java.columns([_group(name) for name in columns])
+                java = java.columns(_groups(columns))
             return java.strict() if strict else java
 
-        return self._changed(change)
+        return self._changed(change, "_with", (*given, strict))
 
-    def _changed(self, change: Callable[[Any], Any]) -> "Model":
-        """Returns the model after a change, here and, of a model at a server, in its twin here."""
+    def _changed(self, change: Callable[[Any], Any], verb: str, values: Any) -> "Model":
+        """Returns the model after a change, here and, of a model at a server, in its twin here.
+
+        verb, values: how to make it again.
+        """
+        made = None if self._made is None else (*self._made, (verb, values))
         with python_errors():
             there = change(self._java)
             here = self._here
-            return Model(there, None if here is None else lambda: change(here()))
+            return Model(there, None if here is None else lambda: change(here()), made)
+
+    def __reduce__(self) -> "Tuple[Any, ...]":
+        if self._made is None:
+            raise TypeError(
+                "a model at a server belongs to its connection and cannot be pickled;"
+                " read it again in the other process"
+            )
+        return _made_again, self._made
+
+    def mechml(self) -> str:
+        """Returns the model's text in MechML, with the files that it includes.
+
+        Values and settings that were given to it later are not in it.
+        """
+        with python_errors():
+            return str(self._in_process().mechml())
 
     def _in_process(self) -> Any:
         """Returns the model in Java in this process, which pictures and files are made of."""
@@ -189,7 +219,7 @@ class Model:
         )
         with python_errors():
             given = (float(step),) if saved is None else (float(step), saved)
-            return Stepped(model._java.stepped(*given))
+            return Stepped(model._java.stepped(*given), (model, float(step)))
 
     def equilibrium(self) -> Trajectory:
         """Finds where the mechanism comes to rest; one row."""
@@ -333,12 +363,25 @@ def _silence(what: str, done: float, left: float) -> None:
     pass
 
 
-def _group(name: str) -> Any:
+def _groups(names: Sequence[str]) -> List[Any]:
     groups = java_class("org.mechservice.solver.api.result.ColumnGroup")
     known = {str(group.label()): group for group in groups.values()}
-    if name not in known:
-        raise MechError(f'"{name}" is no group of columns; there are {", ".join(known)}')
-    return known[name]
+    if "all" in names:
+        return list(known.values())
+    for name in names:
+        if name not in known:
+            raise MechError(f'"{name}" is no group of columns; there are all, {", ".join(known)}')
+    return [known[name] for name in names]
+
+
+def _made_again(how: Callable[..., Model], given: Tuple[Any, ...], *changes: Any) -> Model:
+    """Returns a model that was pickled: what read it, with what, and the changes since then."""
+    model = how(*given)
+    for verb, values in changes:
+        model = (
+            model.set(**values) if verb == "set" else getattr(model, verb)(*values)
+        )
+    return model
 
 
 def _rows(java: Any) -> Any:
@@ -368,11 +411,18 @@ def read(
     also if they lie beside the model.
     unconfined: run them also where the operating system cannot confine them.
     """
+    there = os.path.abspath(os.fspath(path))
+    folders = tuple(os.path.abspath(os.fspath(folder)) for folder in user_code)
+    made = (_read, (there, folders, unconfined))
     with python_errors():
         library = java_class("org.mechservice.library.MechModel")
-        if os.fspath(path).lower().endswith((".urdf", ".sdf", ".mjcf")):
-            return Model(library.importRobot(java_path(path)))
-        return Model(library.read(java_path(path), consent(user_code, unconfined)))
+        if there.lower().endswith((".urdf", ".sdf", ".mjcf")):
+            return Model(library.importRobot(java_path(path)), made=made)
+        return Model(library.read(java_path(path), consent(folders, unconfined)), made=made)
+
+
+def _read(path: str, user_code: Tuple[str, ...], unconfined: bool) -> Model:
+    return read(path, user_code=user_code, unconfined=unconfined)
 
 
 def parse(mechml: str, name: str = "model") -> Model:
@@ -386,7 +436,8 @@ def parse(mechml: str, name: str = "model") -> Model:
     M-010
     """
     with python_errors():
-        return Model(java_class("org.mechservice.library.MechModel").of(name, mechml))
+        java = java_class("org.mechservice.library.MechModel").of(name, mechml)
+        return Model(java, made=(parse, (mechml, name)))
 
 
 def sweep(

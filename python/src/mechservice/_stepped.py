@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 import jpype
 import numpy as np
@@ -10,6 +10,9 @@ import numpy.typing as npt
 
 from ._errors import MechError, python_errors
 from ._interrupts import stepping
+
+if TYPE_CHECKING:
+    from ._model import Model
 
 
 class Stepped:
@@ -21,8 +24,9 @@ class Stepped:
     run, and ``step`` looks at the one and fills the other.
     """
 
-    def __init__(self, java: Any) -> None:
+    def __init__(self, java: Any, made: "Tuple[Model, float]") -> None:
         self._java = java
+        self._made = made
         self._inputs = [(str(one.name()), str(one.unit())) for one in java.inputs()]
         self._columns = [(str(one.name()), str(one.unit())) for one in java.columns()]
         self._input_index = {name: i for i, (name, _) in enumerate(self._inputs)}
@@ -107,6 +111,10 @@ class Stepped:
         self.row[:] = self._java.row()
         self.inputs[:] = self._java.inputValues()
 
+    def __reduce__(self) -> "Tuple[Any, ...]":
+        """Pickles the run between two steps, with its model: it goes on elsewhere, bit by bit."""
+        return _taken_up, (*self._made, self.save(), np.array(self.inputs))
+
     def save(self) -> bytes:
         """Returns the run between two steps, for ``Model.stepped(step, saved=...)``."""
         with python_errors():
@@ -129,6 +137,15 @@ class Stepped:
 
     def __repr__(self) -> str:
         return f"<mechservice run at {self.time} s, inputs {self.input_names}>"
+
+
+def _taken_up(
+    model: "Model", step: float, saved: bytes, inputs: npt.NDArray[np.float64]
+) -> Stepped:
+    """Returns a run that was pickled."""
+    run = model.stepped(step, saved=saved)
+    run.inputs[:] = inputs
+    return run
 
 
 def _shared(values: Any) -> "Tuple[npt.NDArray[np.float64], Any]":

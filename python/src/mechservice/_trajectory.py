@@ -33,8 +33,9 @@ class Trajectory:
     @cached_property
     def values(self) -> npt.NDArray[np.float64]:
         """All numbers, one row per output time and one column per quantity; not to be written to."""
+        rows = int(self._java.rows())
         view = np.asarray(memoryview(self._java.values()), dtype=np.float64)
-        values = view.reshape(len(self), -1 if len(view) else len(self._columns))
+        values = view.reshape(rows, -1 if len(view) else len(self._columns))
         values.flags.writeable = False
         return values
 
@@ -61,13 +62,13 @@ class Trajectory:
         """The time of each row, s."""
         return self.values[:, 0]
 
-    @property
+    @cached_property
     def report(self) -> Dict[str, Any]:
         """What happened: how the run ended, its steps, its energy balance."""
         facts = self._java.report().asMap()
         return {str(e.getKey()): _plain(e.getValue()) for e in facts.entrySet()}
 
-    @property
+    @cached_property
     def complete(self) -> bool:
         """Whether the run came to its end; not if Ctrl-C stopped it."""
         return type(self._java.report().outcome()).__name__.endswith("Completed")
@@ -88,7 +89,18 @@ class Trajectory:
         return self._columns[self._index[name]][1]
 
     def __len__(self) -> int:
-        return int(self._java.rows())
+        return len(self.values)
+
+    def __reduce__(self) -> "Tuple[Any, ...]":
+        """Pickles the rows, the report and the model, so that they are the same elsewhere."""
+        kept = {
+            "values": np.array(self.values),
+            "_columns": self._columns,
+            "report": self.report,
+            "complete": self.complete,
+            "_text": self._text,
+        }
+        return _taken_up, (kept, self._model)
 
     def to_pandas(self) -> Any:
         """Returns a data frame indexed by time, the units in ``attrs["units"]``."""
@@ -112,8 +124,12 @@ class Trajectory:
         ax.legend()
         return ax
 
-    def __repr__(self) -> str:
+    @cached_property
+    def _text(self) -> str:
         return str(self._java.toString())
+
+    def __repr__(self) -> str:
+        return self._text
 
     def player(self) -> str:
         """Returns the player with this run: one HTML page with its curves, which fetches nothing.
@@ -129,7 +145,7 @@ class Trajectory:
             pictures = java_class("org.mechservice.view.model.ModelPictures")
             group = java_class("org.mechservice.solver.api.result.ColumnGroup")
             rows = self._java
-            if not any(name.endswith(".x") for name, _ in self._columns):
+            if rows is None or not any(name.endswith(".x") for name, _ in self._columns):
                 shown = self._model._java.columns([group.BODIES, group.ENERGY])
                 rows = shown.until(float(self.time[-1])).simulate()
             return str(pictures.player(model, rows))
@@ -163,6 +179,14 @@ class Trajectory:
             f"<p>{html.escape(repr(self))}</p>"
             f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
         )
+
+
+def _taken_up(kept: Dict[str, Any], model: "Optional[Model]") -> Trajectory:
+    """Returns rows that were pickled."""
+    kept["values"].flags.writeable = False
+    rows = Trajectory(None, model)
+    rows.__dict__.update(kept)
+    return rows
 
 
 @lru_cache(maxsize=64)

@@ -72,7 +72,8 @@ class RemoteModelTest {
           "userCodeWarning");
 
   /** With and without arguments: what writes files beside the model, and code in this process. */
-  private static final Set<String> ONLY_HERE = Set.of("writeUrdf", "writeMjcf", "instances");
+  private static final Set<String> ONLY_HERE =
+      Set.of("writeUrdf", "writeMjcf", "instances", "mechml");
 
   @TempDir private Path folder = Path.of("");
 

@@ -235,6 +235,14 @@ public final class MechModel {
     }
   }
 
+  /**
+   * Returns the text of what was read, with the files that it includes; that of a robot in MechML.
+   * Values and settings of the program are not in it.
+   */
+  public String mechml() {
+    return file.text();
+  }
+
   /** Returns the folder of the file; empty if the model is no file. */
   public Optional<Path> folder() {
     return file.folder();

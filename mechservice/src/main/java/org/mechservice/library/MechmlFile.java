@@ -83,6 +83,11 @@ final class MechmlFile {
     return file.map(path -> path.resolveSibling("."));
   }
 
+  /** Returns its text, with the files that it includes. */
+  String text() {
+    return ModelFiles.text(content);
+  }
+
   /** Returns the SHA-256 of its bytes. */
   String sha256() {
     return Sha256.of(content);

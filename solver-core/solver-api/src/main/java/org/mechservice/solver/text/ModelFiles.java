@@ -69,6 +69,11 @@ public final class ModelFiles {
     return files.changed ? text.getBytes(StandardCharsets.ISO_8859_1) : model;
   }
 
+  /** Returns the text of a model, in the encoding that it declares; UTF-8 if it declares none. */
+  public static String text(byte[] model) {
+    return new String(model, charset(new String(model, StandardCharsets.ISO_8859_1)));
+  }
+
   /** Returns the encoding that a model declares; UTF-8 if it declares none or an unknown one. */
   private static Charset charset(String model) {
     Matcher declared = ENCODING.matcher(model);
