@@ -3,6 +3,7 @@ package org.mechservice.cli.model;
 import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
@@ -10,6 +11,7 @@ import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.sim.check.CheckReport;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
@@ -44,15 +46,36 @@ public final class CheckCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print one JSON object.")
   private boolean json;
 
+  @Option(
+      names = "--sarif",
+      paramLabel = "FILE.sarif",
+      description = "Write the messages in SARIF, for code hosts and editors.")
+  private Optional<Path> sarif = Optional.empty();
+
+  @Option(
+      names = "--junit",
+      paramLabel = "FILE.xml",
+      description =
+          "Write the messages as test cases in the XML of JUnit; with --strict warnings fail.")
+  private Optional<Path> junit = Optional.empty();
+
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
   public Integer call() throws IOException {
     try (ServiceConnection service = ServiceConnection.open(server, userCode.consent());
         MechSession session = service.connection().openSession()) {
-      session.loadModel(model, userCode.consent());
+      try {
+        session.loadModel(model, userCode.consent());
+      } catch (InvalidModelException e) {
+        write(CheckFindings.of(model, e));
+        throw e;
+      }
       SimulationOptions options = silence.addTo(SimulationOptions.asInFile());
       String report = session.checkReport(options, json);
+      if (sarif.isPresent() || junit.isPresent()) {
+        write(CheckFindings.of(model, json ? report : session.checkReport(options, true)));
+      }
       spec.commandLine().getOut().println(report.stripTrailing());
       if (isUnusable(report)) {
         return ExitStatus.BAD_INPUT;
@@ -61,6 +84,15 @@ public final class CheckCommand implements Callable<Integer> {
         return ExitStatus.DONE;
       }
       return judged(json ? report : session.checkReport(options, true));
+    }
+  }
+
+  private void write(CheckFindings findings) throws IOException {
+    if (sarif.isPresent()) {
+      findings.writeSarif(sarif.get());
+    }
+    if (junit.isPresent()) {
+      findings.writeJUnit(junit.get(), strict);
     }
   }
 

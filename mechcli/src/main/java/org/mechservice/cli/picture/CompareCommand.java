@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.JUnitFile;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.result.ResultComparison;
@@ -44,6 +45,7 @@ import picocli.CommandLine.Spec;
     exitCodeList = {"0:equal", "1:different", "2:bad usage or bad input"})
 public final class CompareCommand implements Callable<Integer> {
   private static final int DIFFERENT = 1;
+  private static final String SAME_COLUMNS = "columns, units and interval are the same";
   private static final Gson JSON =
       new GsonBuilder().setPrettyPrinting().disableHtmlEscaping().create();
   private static final String LINE = "%-24s %-8s %12s %14s %14s %12s %12s%n";
@@ -83,6 +85,12 @@ public final class CompareCommand implements Callable<Integer> {
   private boolean json;
 
   @Option(
+      names = "--junit",
+      paramLabel = "FILE.xml",
+      description = "Write the signals as test cases in the XML of JUnit.")
+  private Optional<Path> junit = Optional.empty();
+
+  @Option(
       names = {"-o", "--output", "--out"},
       paramLabel = "FILE.svg|png|html",
       hideParamSyntax = true,
@@ -109,6 +117,9 @@ public final class CompareCommand implements Callable<Integer> {
       PictureFile.write(
           picture.get(), format.get(), DifferencePlot.of(names, a, b, comparison), theme.isDark());
     }
+    if (junit.isPresent()) {
+      cases(comparison).write(junit.get());
+    }
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
       out.println(JSON.toJson(asJson(comparison)));
@@ -116,6 +127,33 @@ public final class CompareCommand implements Callable<Integer> {
       print(comparison, out);
     }
     return comparison.isEqual() ? ExitStatus.DONE : DIFFERENT;
+  }
+
+  /** Returns one case for what the results hold, and one for each signal of both. */
+  private JUnitFile cases(ResultComparison comparison) {
+    JUnitFile cases = new JUnitFile("mech compare " + first + " " + second);
+    if (comparison.remarks().isEmpty()) {
+      cases.passed(SAME_COLUMNS);
+    } else {
+      cases.failed(SAME_COLUMNS, String.join("\n", comparison.remarks()));
+    }
+    for (SignalDifference signal : comparison.signals()) {
+      if (comparison.differs(signal)) {
+        cases.failed(
+            signal.name(),
+            "%s is %s and %s %s at %s s: %s of its size apart"
+                .formatted(
+                    signal.name(),
+                    shown(signal.first(), 8),
+                    shown(signal.second(), 8),
+                    signal.unit(),
+                    shown(signal.time(), 6),
+                    shown(signal.relative(), 4)));
+      } else {
+        cases.passed(signal.name());
+      }
+    }
+    return cases;
   }
 
   private static void require(double value, String option) {

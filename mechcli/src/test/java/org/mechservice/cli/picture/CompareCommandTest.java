@@ -66,6 +66,23 @@ class CompareCommandTest {
   }
 
   @Test
+  void signalsAreTestCases() throws IOException {
+    String a = file("a.csv", ROWS);
+    String b = file("b.csv", ROWS.replace("1,1,1", "1,1.5,1"));
+    Path cases = folder.resolve("cases.xml");
+    assertThat(mech("compare", a, b, "--quiet", "--junit", cases.toString())).isEqualTo(1);
+    assertThat(Files.readString(cases))
+        .startsWith("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"mech compare ")
+        .contains("tests=\"3\" failures=\"1\" errors=\"0\"")
+        .contains("name=\"x\"><failure message=\"x is 1")
+        .contains("name=\"y\"></testcase>");
+    String c = file("c.csv", ROWS.replace(",y", ",z"));
+    assertThat(mech("compare", a, c, "--quiet", "--junit", cases.toString())).isEqualTo(1);
+    assertThat(Files.readString(cases))
+        .contains("name=\"columns, units and interval are the same\"><failure");
+  }
+
+  @Test
   void unreadableFilesAndNegativeTolerancesGiveStatusTwo() throws IOException {
     String a = file("a.csv", ROWS);
 
