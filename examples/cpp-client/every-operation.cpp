@@ -375,6 +375,8 @@ void useHost(ms::MechSimHost_ptr host, const ms::ModelFile& model) {
   ms::SimSummarySeq_var all = CALL(MechSimHost, listSimulations, host);
   require(all->length() > 0, "simulations");
   ms::SimDetail_var detail = CALL(MechSimHost, showSimulation, host, id);
+  ms::SimDetail_var record = CALL(MechSimHost, recordOf, host, id);
+  require(*record->checkReportJson == 0, "no check report");
   CALL(MechSimHost, killSimulation, host, id, "enough");
   ms::ServiceEventSeq_var events = CALL(MechSimHost, events, host, 0, 10, 0);
   ms::LogLineSeq_var logs = CALL(MechSimHost, logs, host, 0, 10);

@@ -255,6 +255,11 @@ public final class ScriptedAdmin implements MechAdminOperations, AutoCloseable {
     return Objects.requireNonNull(simulations.get(id));
   }
 
+  /** Sets the check report of a simulation; empty: it is not made yet. */
+  public synchronized void checkReport(String id, String json) {
+    detail(id).checkReportJson = json;
+  }
+
   /**
    * Puts samples up to the time reached into a simulation's curves: a swing in every one of them.
    */

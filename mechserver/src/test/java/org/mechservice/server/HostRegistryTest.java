@@ -8,12 +8,14 @@ import java.lang.reflect.Proxy;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.HostRegistration;
 import org.mechservice.idl.HostRegistry;
+import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.MechSimHost;
 import org.mechservice.idl.MechSimHostHelper;
@@ -29,6 +31,7 @@ import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.host.SimHostProcess;
 import org.mechservice.sim.service.testing.PacedSolver;
+import org.omg.CORBA.BAD_OPERATION;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 class HostRegistryTest {
@@ -187,6 +190,42 @@ class HostRegistryTest {
               if (method.getName().equals("getInfo") && asked.compareAndSet(false, true)) {
                 Thread.sleep(3000); // longer than the server waits
               }
+              return method.invoke(host, arguments);
+            });
+  }
+
+  /** What a server notes of the runs of a host computes nothing there that nobody has asked for. */
+  @Test
+  void recordsOfRunsOnOtherHostsAreReadWithoutCheckReports() throws Exception {
+    for (boolean earlier : new boolean[] {false, true}) {
+      List<String> called = new CopyOnWriteArrayList<>();
+      try (Farm farm = new Farm(1);
+          Careless far = new Careless(farm, "far", host -> noting(host, called, earlier))) {
+        far.register(far.host.getInfo());
+        IMechSimRemote run = Farm.running(farm.session("far"));
+        Eventually.holds(() -> called.contains(earlier ? "showSimulation" : "recordOf"));
+        assertThat(reachableHosts(farm)).contains("far");
+        assertThat(called.contains("showSimulation")).isEqualTo(earlier);
+        assertThat(farm.admin.showSimulation(run.simId()).modelText).contains("MechML");
+        assertThat(called).contains("showSimulation");
+      }
+    }
+  }
+
+  /**
+   * @param earlier whether the host is of the contract before 1.5
+   */
+  private static MechSimHostOperations noting(
+      MechSimHostOperations host, List<String> called, boolean earlier) {
+    return (MechSimHostOperations)
+        Proxy.newProxyInstance(
+            MechSimHostOperations.class.getClassLoader(),
+            new Class<?>[] {MechSimHostOperations.class},
+            (proxy, method, arguments) -> {
+              if (earlier && method.getName().equals("recordOf")) {
+                throw new BAD_OPERATION();
+              }
+              called.add(method.getName());
               return method.invoke(host, arguments);
             });
   }

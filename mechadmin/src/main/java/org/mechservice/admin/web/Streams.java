@@ -21,6 +21,9 @@ final class Streams {
   private static final Duration PING = Duration.ofSeconds(5);
   private static final long DETAIL_PAUSE_MILLIS = 1000;
 
+  /** Answers about an ended simulation in which its check report is awaited: ten minutes. */
+  private static final int REPORT_AWAITED = 120;
+
   /** A server works on the answer for that long at most, as a share of the time. */
   private static final int LEISURE = 10;
 
@@ -88,25 +91,37 @@ final class Streams {
     return all;
   }
 
-  /** Sends all details of a simulation and then its changes, until it has ended. */
+  /**
+   * Sends all details of a simulation and then its changes, until it has ended. The check report
+   * comes with a later answer if the host is still making it.
+   */
   void simulation(EventStream stream, String server, String simId)
       throws IOException, InterruptedException {
     boolean told = false;
-    boolean ended = false;
+    boolean reported = false;
+    int ended = 0;
     while (!view.isClosed()) {
-      if (ended) {
+      if (ended > 0) {
         stream.ping();
         view.awaitAfter(Long.MAX_VALUE - 1, PING);
-        continue;
+        if (reported || ended > REPORT_AWAITED) {
+          continue;
+        }
       }
       long began = System.nanoTime();
       try {
         JsonObject detail = DetailJson.of(server, console.show(server, simId));
-        ended = !detail.get("endedAt").getAsString().equals("-");
+        if (!detail.get("endedAt").getAsString().equals("-")) {
+          ended++;
+        }
+        boolean made = !detail.get("checkReport").isJsonNull();
         if (told) {
           detail.remove("modelText");
+        }
+        if (told && (reported || !made)) {
           detail.remove("checkReport");
         }
+        reported |= made;
         stream.send("detail", detail);
         told = true;
       } catch (AdminFailure e) {

@@ -15,6 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
@@ -302,6 +303,25 @@ class AdminWebTest {
             "/api/simulation?server=" + server.address() + "&id=sim-1", said -> true);
     assertThat(detail.get("modelText").getAsString()).contains("<MechML>");
     assertThat(detail.getAsJsonObject("curves").getAsJsonArray("stepSize")).hasSize(3);
+  }
+
+  /** The report of a large model takes longer than an answer may, and perhaps than its run. */
+  @Test
+  void checkReportThatIsMadeLaterReachesThePageOfAnEndedRun() throws Exception {
+    server.simulation("sim-large", "big", "tree", SimState.SIM_DONE);
+    server.checkReport("sim-large", "");
+    List<JsonObject> told = new ArrayList<>();
+    monitor.awaitEvent(
+        "/api/simulation?server=" + server.address() + "&id=sim-large",
+        said -> {
+          told.add(said);
+          server.checkReport("sim-large", "{\"degreesOfFreedom\":9}");
+          return told.size() == 2;
+        });
+    assertThat(told.get(0).get("checkReport").isJsonNull()).isTrue();
+    assertThat(told.get(1).getAsJsonObject("checkReport").get("degreesOfFreedom").getAsInt())
+        .isEqualTo(9);
+    assertThat(told.get(1).has("modelText")).isFalse();
   }
 
   @Test

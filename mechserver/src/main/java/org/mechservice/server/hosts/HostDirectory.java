@@ -21,12 +21,14 @@ import org.mechservice.idl.MechSimHostOperations;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.connection.OutboundAllowList;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.omg.CORBA.BAD_OPERATION;
 import org.omg.CORBA.SystemException;
 import org.omg.CORBA.UserException;
 
@@ -197,8 +199,8 @@ public final class HostDirectory implements AutoCloseable {
   }
 
   /**
-   * Fetches the details of some runs while their host answers, to have them when it is gone. Those
-   * of the server's own process would go with it, and a host makes a check report for them.
+   * Fetches the records of some runs while their host answers, to have them when it is gone. Those
+   * of the server's own process would go with it.
    */
   private void readOn(RegisteredHost host) throws UserException {
     if (host.own()) {
@@ -211,13 +213,21 @@ public final class HostDirectory implements AutoCloseable {
         return;
       }
       try {
-        runs.read(host.host().showSimulation(next.get()));
+        runs.read(recordOf(next.get(), host.host()));
       } catch (NotFound e) {
         // Its client has destroyed it already.
       } catch (SystemException e) {
         runs.notRead(host.name(), next.get());
         throw e;
       }
+    }
+  }
+
+  private static SimDetail recordOf(String simId, MechSimHostOperations host) throws NotFound {
+    try {
+      return host.recordOf(simId);
+    } catch (BAD_OPERATION e) {
+      return host.showSimulation(simId); // a host of the contract before 1.5
     }
   }
 

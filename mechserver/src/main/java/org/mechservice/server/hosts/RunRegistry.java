@@ -209,12 +209,15 @@ public final class RunRegistry {
     page(hostName).unread.add(simId);
   }
 
-  /** Records the details of a run. */
+  /** Records the details of a run; a check report that they lack is that of before. */
   public synchronized void read(SimDetail detail) {
     if (detail.modelText.length() > LONGEST_MODEL) {
       detail.modelText = "";
     }
-    details.remove(detail.summary.simId); // moves it to the end
+    SimDetail before = details.remove(detail.summary.simId); // moves it to the end
+    if (before != null && detail.checkReportJson.isEmpty()) {
+      detail.checkReportJson = before.checkReportJson;
+    }
     details.put(detail.summary.simId, detail);
   }
 

@@ -122,6 +122,18 @@ class RunRegistryTest {
   }
 
   @Test
+  void checkReportThatAnAdministratorHasSeenStaysWithTheRun() {
+    listed(summary("a", SimState.SIM_RUNNING, 4));
+    SimDetail seen = detail(summary("a", SimState.SIM_RUNNING, 4));
+    seen.checkReportJson = "{\"loops\":1}";
+    book.read(seen);
+    SimDetail noted = detail(summary("a", SimState.SIM_DONE, 10));
+    noted.checkReportJson = "";
+    book.read(noted);
+    assertThat(book.lastKnown("a").orElseThrow().checkReportJson).isEqualTo("{\"loops\":1}");
+  }
+
+  @Test
   void answerToAnEarlierQuestionIsLeftOut() {
     book.listed("h", new SimSummary[] {summary("a", SimState.SIM_DONE, 10)}, 2);
     book.listed("h", new SimSummary[] {summary("a", SimState.SIM_RUNNING, 9)}, 1);

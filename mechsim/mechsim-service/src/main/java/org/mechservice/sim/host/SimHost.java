@@ -213,6 +213,11 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
     return sessions.detail(simId).orElseThrow(() -> noSimulation(simId));
   }
 
+  @Override
+  public SimDetail recordOf(String simId) throws NotFound {
+    return sessions.record(simId).orElseThrow(() -> noSimulation(simId));
+  }
+
   private NotFound noSimulation(String simId) {
     return ContractErrors.notFound(
         "there is no simulation " + simId + " on host " + options.name());

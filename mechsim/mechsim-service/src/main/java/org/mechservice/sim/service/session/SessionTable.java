@@ -16,6 +16,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.Diagnostic;
@@ -31,7 +32,6 @@ import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.SessionSummary;
 import org.mechservice.idl.SimDetail;
-import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ActiveObject;
@@ -49,7 +49,7 @@ import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.limits.SetUpPlaces;
-import org.mechservice.sim.service.results.RunRecord;
+import org.mechservice.sim.service.results.RunIdentity;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunQueue;
@@ -124,7 +124,7 @@ public final class SessionTable implements AutoCloseable {
     admission = new AdmissionControl(limits, this::runsOf);
     places = new SetUpPlaces(limits);
     setUps = new SetUpWorkers(limits, classes);
-    reports = new CheckReports(setUps, callbacks);
+    reports = new CheckReports(setUps.setUps(), callbacks);
     var unused =
         clock.scheduleWithFixedDelay(this::tick, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
     if (store.lasts()) {
@@ -344,25 +344,41 @@ public final class SessionTable implements AutoCloseable {
     return summaries;
   }
 
-  /** Returns everything about a simulation, if there is one. */
+  /**
+   * Returns everything about a simulation, if there is one, with its check report if it is made.
+   */
   public Optional<SimDetail> detail(String simId) {
+    return detail(simId, this::reportOf);
+  }
+
+  /** Returns what is known of a simulation without computing, if there is one: no check report. */
+  public Optional<SimDetail> record(String simId) {
+    return detail(simId, run -> "");
+  }
+
+  private Optional<SimDetail> detail(String simId, Function<RunIdentity, String> report) {
     for (Session session : allSessions()) {
       for (SimulationRun run : session.runs()) {
         if (run.simId().equals(simId)) {
           long leaseEnd = System.currentTimeMillis() + session.leaseLeftMillis();
-          return Optional.of(detail(run.record(), leaseEnd, session.events().of(simId)));
+          return Optional.of(
+              run.record()
+                  .detail(
+                      leaseEnd, report.apply(run.record().identity()), session.events().of(simId)));
         }
       }
     }
-    return host.store().known(simId).map(run -> detail(run, 0, List.of()));
+    return host.store()
+        .known(simId)
+        .map(run -> run.detail(0, report.apply(run.identity()), List.of()));
   }
 
-  private SimDetail detail(RunRecord run, long until, List<SimEvent> events) {
+  private String reportOf(RunIdentity run) {
     try {
-      return run.detail(until, reports.of(run.identity()), events);
+      return reports.of(run);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return run.detail(until, "", events);
+      return "";
     }
   }
 
