@@ -92,6 +92,30 @@ class HostileTenantIT {
     }
   }
 
+  /** A host that has more to tell than a message may have would be silent for everybody. */
+  @Test
+  void nameOfAnyLengthSilencesNoHost() throws Exception {
+    int port = Service.freePort();
+    String url = Service.url(port);
+    Terminal terminal = new Terminal(folder);
+    try (Terminal.Running server = Service.startServer(folder, port, "--capacity", "0");
+        Terminal.Running host = Service.startHost(folder, port, "a");
+        ServiceOrb orb = ServiceOrb.client()) {
+      assertThat(server.stdout() + host.stdout()).isNotEmpty();
+      for (int i = 0; i < 10; i++) {
+        String name = i + "\n\u001b]0;x\u0007" + "x".repeat(5_000_000);
+        assertThat(orb.connect(url).createSession(name, "", null).sessionId()).isNotEmpty();
+      }
+      terminal
+          .mech("simulate", WorkingTree.PENDULUM.toString(), "--server", url, "--quiet")
+          .orFail();
+      String listed = terminal.mech("admin", "--server", url, "sessions").orFail().stdout();
+      assertThat(listed.lines().filter(line -> line.contains("??]0;x?xxx"))).hasSize(10);
+      assertThat(terminal.mech("admin", "--server", url, "hosts").orFail().stdout())
+          .doesNotContain("no answer");
+    }
+  }
+
   /** Bodies in a chain of free joints, each also tied to the ground: as many loops as bodies. */
   static String loops(int count) {
     StringBuilder bodies = new StringBuilder();

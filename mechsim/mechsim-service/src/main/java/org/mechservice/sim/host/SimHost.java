@@ -39,6 +39,7 @@ import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.session.SessionTable;
 import org.mechservice.sim.service.session.WarmUp;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.text.ShortText;
 
 /**
  * The servant of a host: opens sessions and answers operators. A host process has one, and so has a
@@ -177,7 +178,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
       throw ContractErrors.noPlace(
           "host " + options.name() + " is being emptied and takes no new sessions");
     }
-    return sessions.open(clientName, client);
+    return sessions.open(ShortText.name(clientName), client);
   }
 
   @Override

@@ -10,6 +10,7 @@ import org.mechservice.idl.Limit;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.orb.tls.Caller;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.ShortText;
 
 /**
  * Logs refused calls. Each refused action is logged. A query that the same caller repeats, such as
@@ -95,9 +96,6 @@ public final class DenialLog {
 
   /** Removes control characters, so that a caller cannot add lines to the log. */
   private static String clean(String text) {
-    String plain = text.replaceAll("\\p{Cntrl}", "?");
-    return plain.length() <= LONGEST_ARGUMENT
-        ? plain
-        : plain.substring(0, LONGEST_ARGUMENT) + "...";
+    return ShortText.of(ShortText.name(text), LONGEST_ARGUMENT);
   }
 }

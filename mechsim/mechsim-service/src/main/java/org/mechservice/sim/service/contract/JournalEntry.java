@@ -3,6 +3,7 @@ package org.mechservice.sim.service.contract;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.Severity;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.ShortText;
 
 /**
  * An event for operators.
@@ -14,7 +15,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  * @param sessionId session concerned; empty: none
  * @param simId simulation concerned; empty: none
  * @param owner client concerned; empty: none
- * @param text one sentence for people
+ * @param text one sentence for people; its beginning if it is long
  */
 public record JournalEntry(
     String kind,
@@ -25,6 +26,12 @@ public record JournalEntry(
     String simId,
     String owner,
     String text) {
+  /** A thousand events are one message from a host to its server. */
+  private static final int LONGEST_TEXT = 2000;
+
+  public JournalEntry {
+    text = ShortText.of(text, LONGEST_TEXT);
+  }
 
   /** Returns an entry of information. */
   public static JournalEntry info(String kind, String text) {

@@ -37,9 +37,9 @@ public final class AdmissionControl {
   }
 
   /**
-   * Makes sure that a client has room for one more model.
+   * Makes sure that a client has room for one more model, in a session or of a simulation.
    *
-   * @param others bytes of the models in its other sessions
+   * @param others bytes of the other models in its sessions and of its simulations
    * @param bytes of the model
    * @throws LimitExceeded if it has not
    */
@@ -49,11 +49,11 @@ public final class AdmissionControl {
       throw HostLimit.CLIENT_MODEL_BYTES.refusal(
           most,
           others + bytes,
-          "the models in your sessions would have "
+          "the models of your sessions and simulations would have "
               + (others + bytes)
               + " bytes; this host takes at most "
               + most
-              + " of one client; end sessions that are no longer needed");
+              + " of one client; end those that are no longer needed");
     }
   }
 

@@ -58,7 +58,7 @@ public enum HostLimit {
       10L * MAX_MECHML_BYTES.value,
       1,
       MessageCode.MODEL_TOO_LARGE,
-      "size of all models in the sessions of one client"),
+      "size of the models of all sessions and simulations of one client"),
   SIMULATIONS(
       "simulations",
       "1",
@@ -73,6 +73,14 @@ public enum HostLimit {
       0,
       MessageCode.TOO_MANY_RUNS,
       "runs of one client on one host at once"),
+  /** As many as all others, so that no client takes the room for what others left. */
+  CLIENT_KEPT(
+      "clientKept",
+      "1",
+      1000,
+      0,
+      MessageCode.LIMIT_EXCEEDED,
+      "ended runs of one client that are kept; the oldest go first"),
   CURSORS(
       "cursors",
       "1",

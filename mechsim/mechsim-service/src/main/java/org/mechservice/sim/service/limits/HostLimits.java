@@ -36,6 +36,7 @@ public final class HostLimits {
           .with(HostLimit.MODEL_LOOPS, UNLIMITED)
           .with(HostLimit.CLIENT_MODEL_BYTES, UNLIMITED)
           .with(HostLimit.CLIENT_SPOOL_BYTES, UNLIMITED)
+          .with(HostLimit.CLIENT_KEPT, UNLIMITED)
           .with(HostLimit.SPOOL_BYTES, UNLIMITED)
           .with(HostLimit.FREE_DISK, 0)
           .with(HostLimit.MEMORY, UNLIMITED)

@@ -8,6 +8,7 @@ import com.google.gson.JsonParser;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.CurveSample;
 import org.mechservice.idl.FailureRecord;
@@ -18,6 +19,7 @@ import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.idl.StepTried;
 import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.text.ShortText;
 
 /**
  * The record of a run: all that is kept of it besides its rows.
@@ -47,6 +49,9 @@ public record RunRecord(
 
   private static final int VERSION = 1;
 
+  /** Some thousand of them are one message from a host to its server. */
+  private static final int LONGEST_SHOWN = 500;
+
   public RunRecord {
     states = List.copyOf(states);
     curves = List.copyOf(curves);
@@ -67,6 +72,21 @@ public record RunRecord(
         curves);
   }
 
+  /** Returns the same record with curves, which are not on disk. */
+  RunRecord withCurves(List<CurveSample> others) {
+    return new RunRecord(
+        identity, columns, states, progress, startedAt, endedAt, text, report, failure, others);
+  }
+
+  /** Returns about how many characters its texts have. */
+  int size() {
+    int names =
+        Stream.concat(columns.variables().stream(), states.stream())
+            .mapToInt(variable -> variable.name().length())
+            .sum();
+    return identity.modelText().length() + names + text.length() + report.length();
+  }
+
   /**
    * Returns it as administrators see it.
    *
@@ -84,7 +104,12 @@ public record RunRecord(
         startedAt,
         endedAt,
         until,
-        text);
+        shown(text));
+  }
+
+  /** Returns what lists show of what was said of a run last. */
+  public static String shown(String text) {
+    return ShortText.of(text, LONGEST_SHOWN);
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.mechservice.sim.service.results;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Future;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -21,6 +23,10 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.mechservice.idl.CurveSample;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
@@ -45,17 +51,40 @@ public final class RunStore implements AutoCloseable {
   /**
    * A run that is kept after the end of its session.
    *
-   * @param run its record
+   * @param identity its names and its owner, without the model's text
+   * @param summary as administrators see it, with the time at which it is deleted
    * @param rows its rows
-   * @param until when it is deleted; UTC, ms since 1970-01-01
+   * @param record reads the rest of it
    */
-  public record Kept(RunRecord run, ResultSpool rows, long until) {}
+  public record Kept(
+      RunIdentity identity, SimSummary summary, ResultSpool rows, Supplier<RunRecord> record) {
+
+    /** Returns when it is deleted; UTC, ms since 1970-01-01. */
+    long until() {
+      return summary.leaseEndsAt;
+    }
+
+    /**
+     * Returns its record.
+     *
+     * @throws UncheckedIOException if it cannot be read any more
+     */
+    public RunRecord run() {
+      return record.get();
+    }
+  }
 
   /** Each may hold a file open. */
   private static final int KEPT_WITHOUT_FOLDER = 500;
 
+  /** Ended runs that lists have at most: at 4 kB each, half of a message. */
+  private static final int LISTED = 4000;
+
   private static final int REMEMBERED = 1000;
   private static final int LONG_TEXT = 1 << 18;
+
+  /** Largest record that stays in memory where there is a folder, in characters. */
+  private static final int SMALL_RECORD = 1 << 15;
 
   private static final long CLOSING_SECONDS = 10;
 
@@ -110,22 +139,24 @@ public final class RunStore implements AutoCloseable {
 
   private void takeUp(SpoolFolder left) {
     try {
-      for (RunRecord run : left.readAll()) {
-        RowFile place = left.rows(run.identity().simId());
-        ResultSpool rows =
-            ResultSpool.left(run.columns().count(), place, account.of(run.identity().owner()));
-        RunRecord found = run;
-        if (run.endedAt() == 0) {
-          found = cutOff(run, rows);
-          left.write(found);
-        }
-        keep(found, rows);
-      }
+      left.readAll(this::takeUp);
     } catch (IOException e) {
       throw new IllegalArgumentException(
           MessageCode.SPOOL_FOLDER + " the spool folder cannot be read: " + FileErrors.reason(e),
           e);
     }
+  }
+
+  private void takeUp(SpoolFolder left, RunRecord run) throws IOException {
+    RowFile place = left.rows(run.identity().simId());
+    ResultSpool rows =
+        ResultSpool.left(run.columns().count(), place, account.of(run.identity().owner()));
+    RunRecord found = run;
+    if (run.endedAt() == 0) {
+      found = cutOff(run, rows);
+      left.write(found);
+    }
+    keep(found, rows);
   }
 
   /** Returns the record of a run whose process ended before the run. */
@@ -230,17 +261,74 @@ public final class RunStore implements AutoCloseable {
     return cancelled.get();
   }
 
-  /** Keeps an ended run whose session is gone. */
+  /**
+   * Keeps an ended run whose session is gone. The oldest run of its client is deleted for it if the
+   * client has too many; without a folder, the oldest of the client who has most if all have.
+   */
   public void keep(RunRecord run, ResultSpool rows) {
     long end = run.endedAt() == 0 ? System.currentTimeMillis() : run.endedAt();
     long retention = limits.now().bound(HostLimit.RETENTION);
     long until = retention > Long.MAX_VALUE / 2000 ? Long.MAX_VALUE : end + retention * 1000;
-    kept.put(run.identity().simId(), new Kept(run, rows, until));
-    if (folder.isEmpty() && kept.size() > KEPT_WITHOUT_FOLDER) {
-      kept.values().stream()
-          .min(Comparator.comparingLong((Kept other) -> other.run().endedAt()))
-          .ifPresent(this::drop);
+    String simId = run.identity().simId();
+    kept.put(simId, new Kept(run.identity().withoutText(), run.summary(until), rows, reading(run)));
+    String owner = run.identity().owner();
+    while (count(owner) > limits.now().bound(HostLimit.CLIENT_KEPT)) {
+      dropOldest(owner);
     }
+    if (folder.isEmpty() && kept.size() > KEPT_WITHOUT_FOLDER) {
+      dropOldest(ownerOfMost());
+    }
+  }
+
+  /** Returns what reads the record of a run: on disk if it is large and there is a folder. */
+  private Supplier<RunRecord> reading(RunRecord run) {
+    if (folder.isEmpty() || run.size() <= SMALL_RECORD) {
+      RunRecord remains = shortened(run);
+      return () -> remains;
+    }
+    String simId = run.identity().simId();
+    List<CurveSample> curves = run.curves();
+    return () -> readBack(simId).withCurves(curves);
+  }
+
+  /** Reads a record in the disk thread, after all that is being written. */
+  private RunRecord readBack(String simId) {
+    try {
+      return disk.submit(() -> folder.orElseThrow().read(simId)).get();
+    } catch (ExecutionException e) {
+      throw new UncheckedIOException(new IOException(e.getCause().getMessage(), e));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new UncheckedIOException(new InterruptedIOException("the host is closing"));
+    }
+  }
+
+  private static RunRecord shortened(RunRecord run) {
+    return run.identity().modelText().length() > LONG_TEXT ? run.withoutText() : run;
+  }
+
+  private long count(String owner) {
+    return ofOwner(owner).count();
+  }
+
+  private Stream<Kept> ofOwner(String owner) {
+    return kept.values().stream().filter(other -> other.identity().owner().equals(owner));
+  }
+
+  private void dropOldest(String owner) {
+    ofOwner(owner)
+        .min(Comparator.comparingLong((Kept other) -> other.summary().endedAt))
+        .ifPresent(this::drop);
+  }
+
+  private String ownerOfMost() {
+    return kept.values().stream()
+        .collect(Collectors.groupingBy(run -> run.identity().owner(), Collectors.counting()))
+        .entrySet()
+        .stream()
+        .max(Map.Entry.comparingByValue())
+        .orElseThrow()
+        .getKey();
   }
 
   /** Returns a run that is kept; empty after its retention time, even if it is not deleted yet. */
@@ -252,7 +340,7 @@ public final class RunStore implements AutoCloseable {
 
   private Optional<Kept> continuing(String earlierId) {
     return kept.values().stream()
-        .filter(kept -> kept.run().identity().earlierIds().contains(earlierId))
+        .filter(kept -> kept.identity().earlierIds().contains(earlierId))
         .findFirst();
   }
 
@@ -264,7 +352,7 @@ public final class RunStore implements AutoCloseable {
 
   /** Keeps the record of a run for administrators. */
   public void remember(RunRecord run) {
-    RunRecord remains = run.identity().modelText().length() > LONG_TEXT ? run.withoutText() : run;
+    RunRecord remains = shortened(run);
     synchronized (remembered) {
       remembered.addFirst(remains);
       if (remembered.size() > REMEMBERED) {
@@ -281,37 +369,52 @@ public final class RunStore implements AutoCloseable {
   public void expire(Predicate<String> reopened) {
     long now = System.currentTimeMillis();
     kept.values().stream()
-        .filter(run -> run.until() < now && !reopened.test(run.run().identity().simId()))
+        .filter(run -> run.until() < now && !reopened.test(run.identity().simId()))
         .forEach(this::drop);
   }
 
   private void drop(Kept run) {
-    if (kept.remove(run.run().identity().simId(), run)) {
-      String simId = run.run().identity().simId();
-      remember(run.run());
+    String simId = run.identity().simId();
+    if (kept.remove(simId, run)) {
+      read(run).ifPresent(this::remember);
       delete(files(simId, run.rows()), run.rows(), simId);
+    }
+  }
+
+  private static Optional<RunRecord> read(Kept run) {
+    try {
+      return Optional.of(run.run());
+    } catch (UncheckedIOException e) {
+      LOG.warn(
+          MessageCode.RESULTS_NOT_KEPT + " the record of run {} cannot be read: {}",
+          run.identity().simId(),
+          FileErrors.reason(e.getCause()));
+      return Optional.empty();
     }
   }
 
   /** Returns the record of an ended run, kept or only remembered. */
   public Optional<RunRecord> known(String simId) {
-    Optional<RunRecord> stillKept = find(simId).map(Kept::run);
+    Optional<Kept> stillKept = find(simId);
     if (stillKept.isPresent()) {
-      return stillKept;
+      return read(stillKept.get());
     }
     synchronized (remembered) {
       return remembered.stream().filter(run -> run.identity().simId().equals(simId)).findFirst();
     }
   }
 
-  /** Returns all ended runs as administrators see them. */
+  /** Returns the latest ended runs as administrators see them. */
   public List<SimSummary> summaries() {
     List<SimSummary> summaries = new ArrayList<>();
-    kept.values().forEach(run -> summaries.add(run.run().summary(run.until())));
+    kept.values().forEach(run -> summaries.add(run.summary()));
     synchronized (remembered) {
       remembered.forEach(run -> summaries.add(run.summary(0)));
     }
-    return summaries;
+    return summaries.stream()
+        .sorted(Comparator.comparingLong((SimSummary run) -> run.endedAt).reversed())
+        .limit(LISTED)
+        .toList();
   }
 
   /** Finishes the work of the disk thread and closes all files. */

@@ -10,8 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -140,22 +138,37 @@ final class SpoolFolder implements AutoCloseable {
     Files.deleteIfExists(record(simId));
   }
 
-  /** Returns all records that can be read; other files stay as they are. */
-  List<RunRecord> readAll() throws IOException {
-    List<RunRecord> found = new ArrayList<>();
+  /** Returns the record of a run. */
+  RunRecord read(String simId) throws IOException {
+    try {
+      return RunRecord.ofJson(Files.readString(record(simId)));
+    } catch (JsonParseException e) {
+      throw new IOException(e.getMessage(), e);
+    }
+  }
+
+  /** Receives what a folder has. */
+  interface Reader {
+    void read(SpoolFolder folder, RunRecord run) throws IOException;
+  }
+
+  /** Reads all records that can be read, one after the other; other files stay as they are. */
+  void readAll(Reader reader) throws IOException {
     try (Stream<Path> files = Files.list(folder)) {
       for (Path file : files.filter(path -> path.toString().endsWith(RECORD)).sorted().toList()) {
+        RunRecord found;
         try {
-          found.add(RunRecord.ofJson(Files.readString(file)));
-        } catch (JsonParseException | IOException e) {
+          found = RunRecord.ofJson(Files.readString(file));
+        } catch (IOException | JsonParseException e) {
           LOG.warn(
               MessageCode.SPOOL_FOLDER + " {} cannot be read and is left as it is: {}",
               file,
               e.toString());
+          continue;
         }
+        reader.read(this, found);
       }
     }
-    return found;
   }
 
   @Override

@@ -111,7 +111,7 @@ final class RunStatus {
         lifecycle.startedAt(),
         lifecycle.endedAt(),
         leaseEnd,
-        lifecycle.text());
+        RunRecord.shown(lifecycle.text()));
   }
 
   /**

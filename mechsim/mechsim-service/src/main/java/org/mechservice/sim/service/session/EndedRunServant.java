@@ -14,7 +14,8 @@ import org.mechservice.idl.ResultCursor;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.results.ResultCursors;
-import org.mechservice.sim.service.results.RunStore;
+import org.mechservice.sim.service.results.ResultSpool;
+import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.solver.api.result.Variable;
 import org.omg.CORBA.DoubleHolder;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
@@ -22,28 +23,30 @@ import org.omg.CORBA.OBJECT_NOT_EXIST;
 /** An ended run, reopened: its rows and its report; calls that steer a run are refused. */
 final class EndedRunServant implements IMechSimRemoteOperations {
   private final Session session;
-  private final RunStore.Kept kept;
+  private final RunRecord run;
+  private final ResultSpool rows;
   private final ResultCursors cursors;
   private final Runnable destroyed;
 
   /**
    * @param destroyed called when the client destroys its reference; the run is kept
    */
-  EndedRunServant(Session session, RunStore.Kept kept, Runnable destroyed) {
+  EndedRunServant(Session session, RunRecord run, ResultSpool rows, Runnable destroyed) {
     this.session = session;
-    this.kept = kept;
+    this.run = run;
+    this.rows = rows;
     this.destroyed = destroyed;
-    cursors = new ResultCursors(session, kept.rows(), kept.run().columns());
+    cursors = new ResultCursors(session, rows, run.columns());
   }
 
   private InvalidState hasEnded(String what) {
     return ContractErrors.state(
-        kept.run().progress().state, "the simulation has ended: it cannot be " + what);
+        run.progress().state, "the simulation has ended: it cannot be " + what);
   }
 
   @Override
   public String simId() {
-    return kept.run().identity().simId();
+    return run.identity().simId();
   }
 
   @Override
@@ -78,22 +81,22 @@ final class EndedRunServant implements IMechSimRemoteOperations {
 
   @Override
   public Progress getProgress() {
-    return kept.run().progress();
+    return run.progress();
   }
 
   @Override
   public Channel[] stateChannels() {
-    return ContractTypes.channels(kept.run().states());
+    return ContractTypes.channels(run.states());
   }
 
   /** The state of the last row. */
   @Override
   public double[] getStates(DoubleHolder simTime) throws InvalidState {
     double[] values = lastRow();
-    double[] state = new double[kept.run().states().size()];
+    double[] state = new double[run.states().size()];
     for (int i = 0; i < state.length; i++) {
-      Variable wanted = kept.run().states().get(i);
-      int at = kept.run().columns().indexOf(wanted.name());
+      Variable wanted = run.states().get(i);
+      int at = run.columns().indexOf(wanted.name());
       if (at < 0) {
         throw hasEnded("asked for a state: its rows are those of an analysis, without one");
       }
@@ -105,7 +108,7 @@ final class EndedRunServant implements IMechSimRemoteOperations {
 
   private double[] lastRow() throws InvalidState {
     try {
-      double[] values = kept.rows().read(Math.max(0, kept.rows().rows() - 1), 1);
+      double[] values = rows.read(Math.max(0, rows.rows() - 1), 1);
       if (values.length == 0) {
         throw hasEnded("asked for a state: it has put out no row");
       }
@@ -132,20 +135,17 @@ final class EndedRunServant implements IMechSimRemoteOperations {
 
   @Override
   public String report() throws InvalidState {
-    if (kept.run().report().isEmpty()) {
-      throw ContractErrors.state(
-          kept.run().progress().state, "there is no report: " + kept.run().text());
+    if (run.report().isEmpty()) {
+      throw ContractErrors.state(run.progress().state, "there is no report: " + run.text());
     }
-    return kept.run().report();
+    return run.report();
   }
 
   @Override
   public FailureRecord failure() throws InvalidState {
-    return kept.run()
-        .failure()
+    return run.failure()
         .orElseThrow(
-            () ->
-                ContractErrors.state(kept.run().progress().state, "the simulation has not failed"));
+            () -> ContractErrors.state(run.progress().state, "the simulation has not failed"));
   }
 
   @Override

@@ -47,10 +47,14 @@ import org.mechservice.sim.service.setup.ModelFiles;
 import org.mechservice.sim.service.setup.ReadingBounds;
 import org.mechservice.sim.service.setup.SetUps;
 import org.mechservice.sim.user.UserFile;
+import org.mechservice.solver.text.ShortText;
 
 /** Servant of one session: reads a model file, creates simulations and makes JARs of it. */
 final class MechSimServant implements MechSimOperations {
   private static final NameValue[] AS_IN_FILE = {};
+
+  /** What a file takes besides its content, B. */
+  private static final int BYTES_OF_FILE = 1000;
 
   private final Session session;
   private final SetUps setUps;
@@ -67,7 +71,8 @@ final class MechSimServant implements MechSimOperations {
    * @param setUps read and build the models
    * @param classes has the classes of models that were built
    * @param admission decides whether one more simulation is allowed
-   * @param modelsOfClient returns the size of the models in all sessions of the client, B
+   * @param modelsOfClient returns the size of the models in all sessions of the client and of those
+   *     of its simulations, B
    * @param destroyed called when the client ends the session
    */
   MechSimServant(
@@ -105,9 +110,11 @@ final class MechSimServant implements MechSimOperations {
     session.holdsModel(bytes);
     ModelFiles files =
         new ModelFiles(
-            mechml.fileName,
+            ShortText.name(mechml.fileName),
             mechml.content,
-            Stream.of(userFiles).map(file -> new UserFile(file.fileName, file.content)).toList(),
+            Stream.of(userFiles)
+                .map(file -> new UserFile(ShortText.name(file.fileName), file.content))
+                .toList(),
             session.host().userCode().compiles(),
             new ReadingBounds(session.limits().bound(HostLimit.MODEL_LOOPS)));
     SetUps.Loaded read = setUps.load(files);
@@ -120,7 +127,7 @@ final class MechSimServant implements MechSimOperations {
   private long requireAllowedSize(ModelFile mechml, ModelFile[] userFiles) throws LimitExceeded {
     long bytes = mechml.content.length;
     for (ModelFile file : userFiles) {
-      bytes += file.content.length;
+      bytes += BYTES_OF_FILE + file.content.length;
     }
     long most = session.limits().of(HostLimit.MODEL_BYTES);
     if (bytes > most) {
@@ -267,8 +274,9 @@ final class MechSimServant implements MechSimOperations {
 
   private RunCreation.Created created(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
-    admission.requirePlace(session.owner(), session.simulationCount());
     ModelFiles model = requireModel();
+    admission.requirePlace(session.owner(), session.simulationCount());
+    admission.requireModelRoom(modelsOfClient.getAsLong(), model.content().length);
     SetUps.Built built = setUps.build(model, options);
     times.add(built.spent());
     return creation.create(model, built, client);

@@ -28,10 +28,10 @@ import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.contract.JournalEntry;
 import org.mechservice.sim.service.contract.OwnerGate;
 import org.mechservice.sim.service.contract.SessionEvents;
-import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.results.ResultCursors;
-import org.mechservice.sim.service.results.RunStore;
+import org.mechservice.sim.service.results.ResultSpool;
+import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.sim.service.run.SimulationRun;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
@@ -102,6 +102,12 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
     return modelBytes;
   }
 
+  /** Returns the size of its model and of the models of its simulations, B. */
+  long heldBytes() {
+    long ofRuns = runs().stream().mapToLong(run -> run.identity().modelText().length()).sum();
+    return modelBytes + ofRuns;
+  }
+
   void holdsModel(long bytes) {
     modelBytes = bytes;
   }
@@ -130,7 +136,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
 
   /** Returns the time left of the lease, ms; negative if it is over. */
   long leaseLeftMillis() {
-    return limits().of(HostLimit.LEASE) * 1000 - (System.nanoTime() - renewedAt) / 1_000_000;
+    return limits().leaseSeconds() * 1000L - (System.nanoTime() - renewedAt) / 1_000_000;
   }
 
   @Override
@@ -187,10 +193,11 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
   /**
    * Reopens a run that has ended.
    *
+   * @param rows of it
    * @param destroyed called when the client destroys its reference
    */
-  IMechSimRemote reopen(RunStore.Kept run, Runnable destroyed) {
-    EndedRunServant servant = new EndedRunServant(this, run, destroyed);
+  IMechSimRemote reopen(RunRecord run, ResultSpool rows, Runnable destroyed) {
+    EndedRunServant servant = new EndedRunServant(this, run, rows, destroyed);
     ActiveObject object = activateSelf(guarded(servant));
     synchronized (this) {
       reopened.add(servant);

@@ -1,5 +1,6 @@
 package org.mechservice.sim.service.session;
 
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -50,6 +51,7 @@ import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.limits.SetUpPlaces;
 import org.mechservice.sim.service.results.RunIdentity;
+import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunQueue;
@@ -57,6 +59,7 @@ import org.mechservice.sim.service.run.SimulationRun;
 import org.mechservice.sim.service.setup.SetUpWorkers;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.FileErrors;
 
 /**
  * The sessions of one host. Its clock ends sessions whose lease is over and runs that have reached
@@ -170,7 +173,7 @@ public final class SessionTable implements AutoCloseable {
   }
 
   private long modelBytesOf(String client) {
-    return sessionsOf(client).stream().mapToLong(Session::modelBytes).sum();
+    return sessionsOf(client).stream().mapToLong(Session::heldBytes).sum();
   }
 
   private List<Session> sessionsOf(String client) {
@@ -297,14 +300,27 @@ public final class SessionTable implements AutoCloseable {
       throw ContractErrors.notFound("there is no simulation " + simId);
     }
     RunStore.Kept kept = ended.orElseThrow(() -> Caller.notTheOwner(user));
-    requireOwner(kept.run().identity().owner(), user);
+    requireOwner(kept.identity().owner(), user);
+    RunRecord run = record(kept);
     synchronized (sessions) {
-      Session session = admitted(kept.run().identity().owner(), null);
+      Session session = admitted(kept.identity().owner(), null);
       IMechSimRemote reference =
-          session.reopen(kept, () -> end(session, "was ended by its client"));
+          session.reopen(run, kept.rows(), () -> end(session, "was ended by its client"));
       sessions.put(session.id(), new Entry(session, Optional.empty()));
       log(session, "session-opened", "was opened to take up simulation " + simId);
       return reference;
+    }
+  }
+
+  private static RunRecord record(RunStore.Kept kept) throws NotFound {
+    try {
+      return kept.run();
+    } catch (UncheckedIOException e) {
+      throw ContractErrors.notFound(
+          "the record of simulation "
+              + kept.identity().simId()
+              + " cannot be read: "
+              + FileErrors.reason(e.getCause()));
     }
   }
 
@@ -432,7 +448,7 @@ public final class SessionTable implements AutoCloseable {
         System.currentTimeMillis() + session.leaseLeftMillis(),
         (int) of.stream().filter(run -> !run.ended()).count(),
         of.size(),
-        session.modelBytes());
+        session.heldBytes());
   }
 
   /**

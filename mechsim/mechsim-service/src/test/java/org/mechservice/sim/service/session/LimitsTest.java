@@ -4,11 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.mechservice.sim.service.session.HostedClient.ALL;
 
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.InvalidModel;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
@@ -97,7 +100,36 @@ class LimitsTest {
               there.session();
               return there::session;
             });
-    assertThat(refusal.text).contains("the models in your sessions would have");
+    assertThat(refusal.text).contains("the models of your sessions and simulations would have");
+  }
+
+  /** A simulation holds its model after its session has loaded another one. */
+  @Test
+  void bytesOfTheModelsOfAllSimulationsOfOneClient() throws Exception {
+    refusal(
+        HostLimit.CLIENT_MODEL_BYTES,
+        3L * HostedClient.pendulum().content.length - 1,
+        "S-105",
+        there -> {
+          MechSim session = there.session();
+          session.createSimulation(new NameValue[0], null);
+          return simulationIn(session);
+        });
+  }
+
+  /** A million empty files are a message of some megabytes. */
+  @Test
+  void filesOfAModel() throws Exception {
+    ModelFile[] empty = new ModelFile[1000];
+    Arrays.setAll(empty, i -> new ModelFile("C" + i + ".java", new byte[0]));
+    refusal(
+        HostLimit.MODEL_BYTES,
+        100_000,
+        "S-105",
+        there -> {
+          MechSim session = there.emptySession();
+          return () -> session.loadModel(HostedClient.pendulum(), empty);
+        });
   }
 
   @Test
@@ -219,6 +251,23 @@ class LimitsTest {
           System.gc(); // what is in use is known after a collection
           return simulationIn(there.session());
         });
+  }
+
+  /** What a client calls itself and its files is in each event and list, and in each message. */
+  @Test
+  void namesOfAClientAndItsFilesAreShort() throws Exception {
+    String name = "ann\n\u001b]0;x\u0007" + "x".repeat(5_000_000);
+    try (HostedClient there = with(HostLimit.SESSIONS, 5)) {
+      MechSim session = there.host.createSession(name, null);
+      assertThat(there.host.listSessions()[0].owner).startsWith("ann??]0;x?x").hasSize(203);
+      assertThat(there.host.events(0, 10, 0)[0].text.length()).isLessThan(500);
+      ModelFile wrong = new ModelFile(name, "no model".getBytes(StandardCharsets.UTF_8));
+      InvalidModel refusal =
+          catchThrowableOfType(
+              InvalidModel.class,
+              () -> there.seenByClient(session).loadModel(wrong, new ModelFile[0]));
+      assertThat(refusal.diagnostics[0].text.length()).isLessThan(500);
+    }
   }
 
   /** Starts a run, waits for its end at a limit and returns its failure. */
