@@ -4,7 +4,6 @@ import java.security.cert.X509Certificate;
 import java.util.Optional;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.text.ShortText;
 
 /**
  * The caller of the operation that this thread executes.
@@ -35,11 +34,10 @@ public record Caller(
   /**
    * Returns the caller's name.
    *
-   * @param claimed the name that the caller gives; used, as far as it can be shown in a line, only
-   *     without a certificate
+   * @param claimed the name that the caller gives; used only without a certificate
    */
   public String name(String claimed) {
-    return certificate.map(TlsIdentity::nameOf).orElseGet(() -> ShortText.name(claimed));
+    return certificate.map(TlsIdentity::nameOf).orElse(claimed);
   }
 
   /** Returns the role in the certificate; {@code local} without a certificate. */

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.io.StreamCorruptedException;
 import java.io.UTFDataFormatException;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -19,6 +20,7 @@ import org.mechservice.guard.Confinement;
 import org.mechservice.guard.Patience;
 import org.mechservice.guard.WorkerBounds;
 import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
@@ -215,6 +217,35 @@ public final class WorkerProcess implements AutoCloseable {
     } finally {
       Confinement.end(with.process());
     }
+  }
+
+  /**
+   * Returns the columns of a run, whose first row the process computes. It ends with the thread
+   * that waits for it, and after as long as a description may take.
+   *
+   * @param order of a run that ends where it begins
+   * @throws IllegalArgumentException if the settings do not fit the model
+   * @throws WorkerLostException if the process has ended without a result
+   * @throws IOException if no process can be started
+   */
+  public List<Variable> columns(WorkerOrder order) throws IOException {
+    List<Variable> named = new ArrayList<>();
+    ResultSink names =
+        new ResultSink() {
+          @Override
+          public void begin(List<Variable> columns) {
+            named.addAll(columns);
+          }
+
+          @Override
+          public void row(double[] values) {}
+        };
+    try (Patience patience =
+        new Patience(talk().process(), LONGEST_DESCRIPTION, "the first row of a run")) {
+      patience.begin();
+      run(order, names, new RunControl(), Checkpoints.NONE);
+    }
+    return named;
   }
 
   /**

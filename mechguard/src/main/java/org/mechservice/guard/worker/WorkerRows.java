@@ -13,6 +13,9 @@ import org.mechservice.solver.text.WellFormedText;
 final class WorkerRows {
   private static final int MOST_COLUMNS = 1_000_000;
 
+  /** Characters of their names and units: as many as those of 50 000 bodies with all columns. */
+  private static final long MOST_CHARACTERS = 50_000_000;
+
   private final DataInputStream in;
   private final ResultSink sink;
   private double[] row = new double[0];
@@ -29,9 +32,16 @@ final class WorkerRows {
       throw new StreamCorruptedException(count + " columns");
     }
     List<Variable> columns = new ArrayList<>();
+    long characters = 0;
     for (int i = 0; i < count; i++) {
       String name = WorkerProcess.receive(() -> WellFormedText.of(in.readUTF()));
-      columns.add(new Variable(name, WorkerProcess.receive(() -> WellFormedText.of(in.readUTF()))));
+      String unit = WorkerProcess.receive(() -> WellFormedText.of(in.readUTF()));
+      characters += name.length() + unit.length();
+      if (characters > MOST_CHARACTERS) {
+        throw new StreamCorruptedException(
+            "columns with more than " + MOST_CHARACTERS + " characters");
+      }
+      columns.add(new Variable(name, unit));
     }
     row = new double[count];
     sink.begin(columns);

@@ -22,6 +22,7 @@ import org.mechservice.idl.ServerInfo;
 import org.mechservice.orb.ServiceVersion;
 import org.mechservice.orb.tls.Caller;
 import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.sim.service.contract.ShortText;
 import org.mechservice.sim.service.library.ClassLibrary;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimit;
@@ -112,7 +113,7 @@ public final class MechServerServant implements MechServerOperations {
   @Override
   public MechSim createSession(String claimedName, String hostName, @Nullable IMechClient client)
       throws LimitExceeded, NotFound, ServerFailure {
-    String clientName = SessionNames.ofClient(Caller.current().name(claimedName));
+    String clientName = SessionNames.ofClient(Caller.current().name(ShortText.name(claimedName)));
     if (draining.get()) {
       throw ContractErrors.noPlace(
           "server " + name + " is being emptied and takes no new sessions");

@@ -35,11 +35,11 @@ import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.DenialLog;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
+import org.mechservice.sim.service.contract.ShortText;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.session.SessionTable;
 import org.mechservice.sim.service.session.WarmUp;
 import org.mechservice.solver.api.Solver;
-import org.mechservice.solver.text.ShortText;
 
 /**
  * The servant of a host: opens sessions and answers operators. A host process has one, and so has a

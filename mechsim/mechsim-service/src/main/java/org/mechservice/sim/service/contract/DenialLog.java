@@ -10,7 +10,6 @@ import org.mechservice.idl.Limit;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.orb.tls.Caller;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.text.ShortText;
 
 /**
  * Logs refused calls. Each refused action is logged. A query that the same caller repeats, such as

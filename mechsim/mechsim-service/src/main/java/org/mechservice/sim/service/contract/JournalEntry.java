@@ -3,7 +3,6 @@ package org.mechservice.sim.service.contract;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.Severity;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.text.ShortText;
 
 /**
  * An event for operators.

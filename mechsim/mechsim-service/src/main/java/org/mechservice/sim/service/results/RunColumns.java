@@ -65,6 +65,13 @@ public record RunColumns(List<Variable> variables, List<String> groups) {
     return new RunColumns(all, groups);
   }
 
+  /** Returns how many characters their names and units have. */
+  public long characters() {
+    return variables.stream()
+        .mapToLong(column -> column.name().length() + column.unit().length())
+        .sum();
+  }
+
   public int count() {
     return variables.size();
   }

@@ -8,7 +8,6 @@ import com.google.gson.JsonParser;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.CurveSample;
 import org.mechservice.idl.FailureRecord;
@@ -18,8 +17,8 @@ import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.idl.StepTried;
+import org.mechservice.sim.service.contract.ShortText;
 import org.mechservice.solver.api.result.Variable;
-import org.mechservice.solver.text.ShortText;
 
 /**
  * The record of a run: all that is kept of it besides its rows.
@@ -79,12 +78,8 @@ public record RunRecord(
   }
 
   /** Returns about how many characters its texts have. */
-  int size() {
-    int names =
-        Stream.concat(columns.variables().stream(), states.stream())
-            .mapToInt(variable -> variable.name().length())
-            .sum();
-    return identity.modelText().length() + names + text.length() + report.length();
+  long size() {
+    return identity.modelText().length() + columns.characters() + text.length() + report.length();
   }
 
   /**

@@ -1,7 +1,6 @@
 package org.mechservice.sim.service.run;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,7 +18,6 @@ import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
-import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.api.run.RunRequest;
@@ -110,24 +108,12 @@ final class WorkerTask implements RunTask {
     RunSettings settings = request.settings();
     RunRequest first =
         new RunRequest(settings.withOutput(settings.tStart(), settings.tStep()), request.columns());
-    List<Variable> named = new ArrayList<>();
-    ResultSink names =
-        new ResultSink() {
-          @Override
-          public void begin(List<Variable> columns) {
-            named.addAll(columns);
-          }
-
-          @Override
-          public void row(double[] values) {}
-        };
-    try {
-      new WorkerProcess(Confinement.ofThisMachine(), bounds)
-          .run(order(first), names, new RunControl(), Checkpoints.NONE);
+    try (WorkerProcess other = new WorkerProcess(Confinement.ofThisMachine(), bounds)) {
+      return Optional.of(other.columns(order(first)));
     } catch (IOException | IllegalArgumentException e) {
       LOG.debug("no columns from the classes of users", e);
+      return Optional.empty();
     }
-    return named.isEmpty() ? Optional.empty() : Optional.of(named);
   }
 
   @Override

@@ -36,6 +36,7 @@ import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
+import org.mechservice.sim.service.contract.ShortText;
 import org.mechservice.sim.service.library.ClassLibrary;
 import org.mechservice.sim.service.library.RequestOptions;
 import org.mechservice.sim.service.library.SetUpTimes;
@@ -47,7 +48,6 @@ import org.mechservice.sim.service.setup.ModelFiles;
 import org.mechservice.sim.service.setup.ReadingBounds;
 import org.mechservice.sim.service.setup.SetUps;
 import org.mechservice.sim.user.UserFile;
-import org.mechservice.solver.text.ShortText;
 
 /** Servant of one session: reads a model file, creates simulations and makes JARs of it. */
 final class MechSimServant implements MechSimOperations {

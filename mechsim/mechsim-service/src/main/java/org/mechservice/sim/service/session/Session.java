@@ -102,9 +102,12 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
     return modelBytes;
   }
 
-  /** Returns the size of its model and of the models of its simulations, B. */
+  /** Returns the size of its model, and of the models and columns of its simulations, B. */
   long heldBytes() {
-    long ofRuns = runs().stream().mapToLong(run -> run.identity().modelText().length()).sum();
+    long ofRuns =
+        runs().stream()
+            .mapToLong(run -> run.identity().modelText().length() + run.columns().characters())
+            .sum();
     return modelBytes + ofRuns;
   }
 

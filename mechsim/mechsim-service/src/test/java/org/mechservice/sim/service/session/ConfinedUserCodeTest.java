@@ -1,6 +1,7 @@
 package org.mechservice.sim.service.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -9,6 +10,7 @@ import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
@@ -139,6 +141,35 @@ class ConfinedUserCodeTest {
       assertThat(run.failure().code).as(name).isEqualTo(code);
       assertThat(run.failure().text).contains(text).hasSizeLessThan(5000);
     }
+  }
+
+  /** The columns of a force's values are known when its first row is computed. */
+  @Test
+  void firstRowThatDoesNotEndEndsWithItsClient() throws Exception {
+    NameValue[] forces = {new NameValue("columns", "joints,forces")};
+    try (HostedClient there = host(HostLimits.DEFAULT)) {
+      MechSim session = there.emptySession();
+      String text = pushing("while (slide < 1000) { slide = slide % 7; }");
+      ModelFile force = new ModelFile("car/Push.java", text.getBytes(StandardCharsets.UTF_8));
+      session.loadModel(new ModelFile("pushed.xml", PushedCart.file()), new ModelFile[] {force});
+      Thread client =
+          new Thread(() -> catchThrowable(() -> session.createSimulation(forces, null)));
+      client.start();
+      Eventually.holds(() -> workers() == 1);
+      session.destroy();
+      Eventually.holds(() -> workers() == 0);
+      client.join();
+    }
+  }
+
+  /** Returns how many processes compute, each for a second at least. */
+  private static long workers() {
+    return ProcessHandle.current()
+        .descendants()
+        .filter(process -> process.info().commandLine().orElse("").contains("WorkerMain"))
+        .filter(
+            process -> process.info().totalCpuDuration().orElse(Duration.ZERO).toMillis() > 1000)
+        .count();
   }
 
   /** Threads are bounded by the address space; other runs of the host go on. */

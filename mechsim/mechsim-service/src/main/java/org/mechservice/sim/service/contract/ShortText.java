@@ -1,4 +1,4 @@
-package org.mechservice.solver.text;
+package org.mechservice.sim.service.contract;
 
 /** Texts of bounded length: of clients and their classes, where logs and lists show them. */
 public final class ShortText {
