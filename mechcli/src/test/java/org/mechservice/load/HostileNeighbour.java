@@ -12,17 +12,20 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicLong;
 import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.InvalidModel;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
+import org.mechservice.idl.SimState;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.tls.TlsIdentity;
 
 /**
  * A client that does to a server all at once what harms others: texts that are dear to build,
- * sources that are dear to compile, runs without end, classes that loop without end, all sessions,
- * robots that are no robots, damaged messages. Ends with its standard input.
+ * sources that are dear to compile, runs without end, classes that loop without end or fail with
+ * long texts, all sessions, robots that are no robots, damaged messages. Ends with its standard
+ * input.
  */
 final class HostileNeighbour {
   private static final int BOMBS = 8;
@@ -37,6 +40,13 @@ final class HostileNeighbour {
   private final String address;
   private final Path keys;
   private final AtomicLong attempts = new AtomicLong();
+
+  /** Attacks of classes that went as far as they should: each one of these works. */
+  private final AtomicLong swollen = new AtomicLong();
+
+  private final AtomicLong ran = new AtomicLong();
+  private final AtomicLong failed = new AtomicLong();
+  private final AtomicLong hung = new AtomicLong();
 
   private HostileNeighbour(String address, Path keys) {
     this.address = address;
@@ -58,6 +68,8 @@ final class HostileNeighbour {
     attacks.add(eve::swellingSource);
     attacks.add(eve::endlessRuns);
     attacks.add(eve::endlessClass);
+    attacks.add(eve::endlessFirstRow);
+    attacks.add(eve::longFailures);
     attacks.add(eve::allSessions);
     attacks.add(eve::noRobot);
     attacks.add(eve::damagedMessages);
@@ -67,7 +79,7 @@ final class HostileNeighbour {
       thread.start();
     }
     System.in.read();
-    System.out.println(eve.attempts);
+    System.out.printf("%s %s %s %s %s%n", eve.attempts, eve.swollen, eve.ran, eve.hung, eve.failed);
     Runtime.getRuntime().halt(0);
   }
 
@@ -127,8 +139,8 @@ final class HostileNeighbour {
           + "</dynamic></MBSsimulation><MBSmodel name=\"m\" massUnits=\"kg\" lengthUnits=\"m\""
           + " silence=\"no-gravity\"><Bodies><body name=\"Ground\"/><body name=\"a\"><sphere"
           + " radius=\"0.1\" mass=\"1\"/></body></Bodies><Joints><joint name=\"j\" type=\"P\""
-          + " body1=\"Ground\" body2=\"a\" axis=\"1;0;0\"/></Joints><Forces><userForce name=\"f\""
-          + " class=\"Drag\"><body name=\"a\"/></userForce></Forces><topology><root"
+          + " body1=\"Ground\" body2=\"a\" axis=\"1;0;0\"/></Joints><Forces><force name=\"f\""
+          + " fileName=\"Drag.class\"/></Forces><topology><root"
           + " name=\"Ground\"/></topology></MBSmodel></MechML>";
 
   private static ModelFile source(String members, String body) {
@@ -149,21 +161,81 @@ final class HostileNeighbour {
     for (int i = 1; i < 34; i++) {
       constants.append("static final String a%d=a%d+a%d;".formatted(i, i - 1, i - 1));
     }
-    dragged(server, source(constants.toString(), "int n=a33.length();"));
+    try {
+      dragged(server, source(constants.toString(), "int n=a33.length();"), session -> {});
+    } catch (InvalidModel e) {
+      if (e.diagnostics[0].code.equals("S-123")) {
+        swollen.incrementAndGet();
+      }
+    }
   }
 
   private void endlessClass(MechServer server) throws Exception {
-    dragged(server, source("", "while (true) {}"));
+    dragged(
+        server,
+        source("", "while (s.time() < 1e9) {}"),
+        session -> {
+          IMechSimRemote run = session.createSimulation(ENDLESS, null);
+          run.start();
+          for (int i = 0; i < 10; i++) {
+            Thread.sleep(1000);
+            if (run.getProgress().state == SimState.SIM_RUNNING) {
+              ran.incrementAndGet();
+            }
+          }
+        });
   }
 
-  private static void dragged(MechServer server, ModelFile source) throws Exception {
+  /** The host wants to know the columns of its values; the client goes meanwhile. */
+  private void endlessFirstRow(MechServer server) throws Exception {
+    NameValue[] forces = {new NameValue("columns", "joints,forces")};
+    dragged(
+        server,
+        source("", "while (s.time() < 1e9) {}"),
+        session -> {
+          Thread caller =
+              new Thread(
+                  () -> {
+                    try {
+                      session.createSimulation(forces, null);
+                    } catch (org.omg.CORBA.UserException | org.omg.CORBA.SystemException e) {
+                      hung.incrementAndGet(); // until the session has ended
+                    }
+                  });
+          caller.setDaemon(true);
+          caller.start();
+          Thread.sleep(10_000);
+        });
+  }
+
+  /** Runs that say as much as they may when they fail. */
+  private void longFailures(MechServer server) throws Exception {
+    dragged(
+        server,
+        source("", "throw new IllegalStateException(\"\\ud800 long \".repeat(100_000));"),
+        session -> {
+          for (int i = 0; i < 50; i++) {
+            IMechSimRemote run = session.createSimulation(ENDLESS, null);
+            run.start();
+            while (run.getProgress().state.value() < SimState._SIM_DONE) {
+              Thread.sleep(10);
+            }
+            failed.incrementAndGet();
+          }
+        });
+  }
+
+  private interface Use {
+    void of(MechSim session) throws Exception;
+  }
+
+  private static void dragged(MechServer server, ModelFile source, Use use) throws Exception {
     MechSim session = server.createSession("eve", "", null);
     try {
       session.loadModel(
           new ModelFile("m.xml", DRAGGED.getBytes(StandardCharsets.UTF_8)),
           new ModelFile[] {source});
-      session.createSimulation(ENDLESS, null).start();
-      Thread.sleep(10_000);
+      use.of(session);
     } finally {
       session.destroy();
     }
@@ -180,13 +252,14 @@ final class HostileNeighbour {
         session.renewLease();
       }
     } catch (org.omg.CORBA.UserException full) {
-      for (int i = 0; i < 60; i++) {
+      for (int i = 0; i < 30; i++) {
         Thread.sleep(1000);
         session.renewLease();
       }
     } finally {
       session.destroy();
     }
+    Thread.sleep(15_000); // for runs of the other attacks
   }
 
   private void allSessions(MechServer server) throws Exception {
