@@ -30,6 +30,10 @@ import org.mechservice.orb.tls.TlsIdentity;
 final class HostileNeighbour {
   private static final int BOMBS = 8;
   private static final int LOOPS = 4000;
+
+  /** Time after which the client of such a text goes away. */
+  private static final long BOMB_MILLIS = 20_000;
+
   private static final int SESSIONS = 60;
   private static final long PAUSE_MILLIS = 50;
 
@@ -106,11 +110,20 @@ final class HostileNeighbour {
 
   private void bomb(MechServer server) throws Exception {
     MechSim session = server.createSession("eve", "", null);
-    try {
-      session.loadModel(new ModelFile("loops.xml", loops()), new ModelFile[0]);
-    } finally {
-      session.destroy();
-    }
+    Thread loader =
+        new Thread(
+            () -> {
+              try {
+                session.loadModel(new ModelFile("loops.xml", loops()), new ModelFile[0]);
+              } catch (org.omg.CORBA.UserException | org.omg.CORBA.SystemException e) {
+                // Refused, or ended with its session.
+              }
+            });
+    loader.setDaemon(true);
+    loader.start();
+    loader.join(BOMB_MILLIS);
+    session.destroy();
+    Thread.sleep(BOMB_MILLIS); // for set-ups of the other attacks
   }
 
   private static byte[] loops() {
