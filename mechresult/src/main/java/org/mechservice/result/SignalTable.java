@@ -55,9 +55,14 @@ public record SignalTable(List<Variable> columns, List<double[]> values) {
     }
   }
 
-  /** Returns what an exception says, without the name of its class. */
+  /** Returns the first line of what an exception says, without the name of its class. */
   private static String reason(Exception e) {
-    String said = String.valueOf(e.getMessage()).replaceFirst("^(?:[a-z]\\w*\\.)+[A-Z]\\w*: ", "");
+    String said =
+        String.valueOf(e.getMessage())
+            .replaceFirst("^(?:[a-z]\\w*\\.)+[A-Z]\\w*: ", "")
+            .lines()
+            .findFirst()
+            .orElse("");
     return e.getMessage() == null || said.isBlank() ? "its bytes make no sense" : said;
   }
 
