@@ -1,9 +1,13 @@
 package org.mechservice.guard;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.OptionalLong;
+import java.util.stream.Stream;
 
 /**
  * Lower priority at the operating system for what takes long, so that what takes little is served
@@ -13,16 +17,57 @@ public final class LowPriority {
   /** A tenth of the share of what has the usual priority. */
   private static final String NICE = "10";
 
+  /** What takes longer than that has a lower priority. */
+  private static final long LONG_NANOS = 3_000_000_000L;
+
   private LowPriority() {}
 
   /**
-   * Lowers a priority, once and for all.
+   * Returns whether what has begun takes so long that others come first.
    *
-   * @param id of a process, or of a thread of this one
+   * @param begin by {@link System#nanoTime}
    */
-  public static void lower(long id) {
+  public static boolean isDue(long begin) {
+    return System.nanoTime() - begin > LONG_NANOS;
+  }
+
+  /**
+   * Lowers the priority of a process and of those that it has started, once and for all: of all
+   * their threads, since Linux has one for each.
+   */
+  public static void lower(ProcessHandle process) {
+    List<String> threads =
+        Stream.concat(Stream.of(process), process.descendants())
+            .flatMap(LowPriority::threadsOf)
+            .toList();
+    if (!threads.isEmpty()) {
+      renice(threads);
+    }
+  }
+
+  private static Stream<String> threadsOf(ProcessHandle process) {
+    Path tasks = Path.of("/proc", Long.toString(process.pid()), "task");
+    try (Stream<Path> threads = Files.list(tasks)) {
+      return threads.map(thread -> thread.getFileName().toString()).toList().stream();
+    } catch (IOException | UncheckedIOException e) {
+      return Stream.empty(); // it has ended, or this is no Linux
+    }
+  }
+
+  /**
+   * Lowers the priority of a thread of this process, once and for all.
+   *
+   * @param id of the thread
+   */
+  public static void lowerThread(long id) {
+    renice(List.of(Long.toString(id)));
+  }
+
+  private static void renice(List<String> threads) {
+    List<String> command = new ArrayList<>(List.of("renice", "-n", NICE, "-p"));
+    command.addAll(threads);
     try {
-      new ProcessBuilder("renice", "-n", NICE, "-p", Long.toString(id))
+      new ProcessBuilder(command)
           .redirectOutput(ProcessBuilder.Redirect.DISCARD)
           .redirectError(ProcessBuilder.Redirect.DISCARD)
           .start();

@@ -8,7 +8,8 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Ends a process that does not answer in time, or whose caller is interrupted meanwhile: a thread
- * that reads from a process cannot be woken up otherwise. Thread-safe.
+ * that reads from a process cannot be woken up otherwise. A process that takes long has a lower
+ * priority before. Thread-safe.
  */
 public final class Patience implements AutoCloseable {
   private static final long LOOK_MILLIS = 50;
@@ -32,6 +33,7 @@ public final class Patience implements AutoCloseable {
   private final ScheduledFuture<?> looks;
   private Optional<Thread> caller = Optional.empty();
   private long since;
+  private boolean lowered;
   private Optional<String> ended = Optional.empty();
 
   /**
@@ -75,6 +77,9 @@ public final class Patience implements AutoCloseable {
     }
     if (ended.isPresent()) {
       Confinement.end(process);
+    } else if (!lowered && LowPriority.isDue(since)) {
+      lowered = true;
+      LowPriority.lower(process.toHandle());
     }
   }
 

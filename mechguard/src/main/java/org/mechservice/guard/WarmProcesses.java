@@ -30,9 +30,6 @@ public final class WarmProcesses implements AutoCloseable {
   private static final long END_SECONDS = 60;
   private static final long LOOK_MILLIS = 50;
 
-  /** After so long, others come first. */
-  private static final long LONG_NANOS = 10_000_000_000L;
-
   /** One request and its answer. The first byte that is written says what is asked for. */
   @FunctionalInterface
   public interface Dialogue<T> {
@@ -260,9 +257,9 @@ public final class WarmProcesses implements AutoCloseable {
 
   private synchronized boolean isWatched() {
     for (Held held : watched) {
-      if (!held.lowered && System.nanoTime() - held.since > LONG_NANOS) {
+      if (!held.lowered && LowPriority.isDue(held.since)) {
         held.lowered = true;
-        LowPriority.lower(held.process.pid());
+        LowPriority.lower(held.process.toHandle());
       }
       held.late = held.end != Long.MAX_VALUE && System.nanoTime() - held.end > 0;
       if (held.late || held.caller.isInterrupted()) {

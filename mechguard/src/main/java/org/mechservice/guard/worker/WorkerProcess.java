@@ -17,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.mechservice.guard.Confinement;
+import org.mechservice.guard.LowPriority;
 import org.mechservice.guard.Patience;
 import org.mechservice.guard.WorkerBounds;
 import org.mechservice.solver.api.result.ResultSink;
@@ -97,6 +98,11 @@ public final class WorkerProcess implements AutoCloseable {
             .sum();
     cpuNanos = Math.max(cpuNanos, now); // the time of an ended process is not known any more
     return cpuNanos;
+  }
+
+  /** Lets others come first at the operating system, from now on. */
+  public synchronized void lowerPriority() {
+    process.map(Process::toHandle).ifPresent(LowPriority::lower);
   }
 
   /**

@@ -56,6 +56,9 @@ public interface RunTask {
   /** Returns the processor time used so far, ns; negative if it is not known. */
   long cpuNanos();
 
+  /** Lets others come first at the operating system where the run is not in the thread of it. */
+  default void lowerPriority() {}
+
   /**
    * Computes.
    *

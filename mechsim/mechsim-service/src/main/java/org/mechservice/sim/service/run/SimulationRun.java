@@ -36,9 +36,6 @@ import org.slf4j.LoggerFactory;
  * leaves its rows in a {@link ResultSpool}. Thread-safe.
  */
 public final class SimulationRun implements Runnable {
-  /** After so long, runs of others come first. */
-  private static final long LONG_NANOS = 10_000_000_000L;
-
   /** Receives what happens to a run, in the thread that causes it; must not block. */
   public interface Listener {
     void stateChanged(SimulationRun run, SimState state, String text);
@@ -376,9 +373,10 @@ public final class SimulationRun implements Runnable {
   /** Lets runs of others come first if this one has computed for long; called again and again. */
   public void yieldToOthers() {
     OptionalLong id = thread;
-    if (computing && id.isPresent() && System.nanoTime() - begunAt > LONG_NANOS) {
+    if (computing && id.isPresent() && LowPriority.isDue(begunAt)) {
       thread = OptionalLong.empty();
-      LowPriority.lower(id.getAsLong());
+      LowPriority.lowerThread(id.getAsLong());
+      task().lowerPriority();
     }
   }
 

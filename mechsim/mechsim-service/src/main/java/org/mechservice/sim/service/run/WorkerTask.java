@@ -142,6 +142,11 @@ final class WorkerTask implements RunTask {
   }
 
   @Override
+  public void lowerPriority() {
+    worker.lowerPriority();
+  }
+
+  @Override
   public WorkerResult run(ResultSink sink, RunControl control) throws IOException {
     checkpoints.ofParameters(parameters);
     return noting(worker.run(order(request), sink, control, checkpoints));
