@@ -16,6 +16,7 @@ import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.symbol.Differentiation;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.ReverseDifferentiation;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
 import org.mechservice.solver.symbol.Substitution;
@@ -44,12 +45,19 @@ public final class Relation extends Formulas {
     }
   }
 
+  /**
+   * Most leaves that are cheaper one after the other: the straight way over three points, whose
+   * slopes by differences share their parts. A sweep costs a few times the formula.
+   */
+  private static final int FEW = 9;
+
   private final Expressions expressions;
   private final JointLinks joints;
   private final CutCoordinateTerms cuts;
   private final List<Leaf> leaves = new ArrayList<>();
   private final Map<Leaf, Scalar> slopes = new HashMap<>();
   private final Scalar derived;
+  private Optional<ReverseDifferentiation> gradient = Optional.empty();
   private Optional<Substitution> ofStates = Optional.empty();
   private Optional<Substitution> still = Optional.empty();
 
@@ -111,11 +119,23 @@ public final class Relation extends Formulas {
   public Scalar slope(Leaf leaf) {
     Scalar known = slopes.get(leaf);
     if (known == null) {
-      Map<Scalar, Scalar> direction = Map.of(leaf.stand(), expressions.one());
-      known = inPlace(new Differentiation(expressions, direction).of(derived), Optional.empty());
+      known = inPlace(slopeInPlaceholders(leaf), Optional.empty());
       slopes.put(leaf, known);
     }
     return known;
+  }
+
+  /** Differentiates by one leaf, or, where they are many, by all of them in one sweep. */
+  private Scalar slopeInPlaceholders(Leaf leaf) {
+    if (leaves.size() <= FEW) {
+      Map<Scalar, Scalar> direction = Map.of(leaf.stand(), expressions.one());
+      return new Differentiation(expressions, direction).of(derived);
+    }
+    if (gradient.isEmpty()) {
+      Map<Scalar, Scalar> weight = Map.of(derived, expressions.one());
+      gradient = Optional.of(new ReverseDifferentiation(expressions, weight));
+    }
+    return gradient.get().by(leaf.stand());
   }
 
   /** Returns ∂x/∂t. */
