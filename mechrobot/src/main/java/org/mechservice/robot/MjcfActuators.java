@@ -91,6 +91,11 @@ final class MjcfActuators {
       return bias.stream().anyMatch(x -> x != 0);
     }
 
+    /** Returns whether the input is a length that the actuator follows. */
+    boolean isServo() {
+      return gain.equals(List.of(-bias.get(1), 0.0, 0.0));
+    }
+
     boolean feelsMotion() {
       return gain.get(2) != 0 || bias.get(2) != 0 || dampingRatio != 0;
     }
@@ -139,6 +144,7 @@ final class MjcfActuators {
   private final RobotInertia inertia;
   private final MjcfLine.Placing placing;
   private final Set<String> forceNames;
+  private final boolean clampsInputs;
   private final RobotNumbers numbers;
   private final ImportLosses losses;
   private final List<Force> inputs = new ArrayList<>();
@@ -153,6 +159,7 @@ final class MjcfActuators {
       RobotInertia inertia,
       MjcfLine.Placing placing,
       Set<String> forceNames,
+      boolean clampsInputs,
       RobotNumbers numbers,
       ImportLosses losses) {
     this.joints = joints;
@@ -161,6 +168,7 @@ final class MjcfActuators {
     this.inertia = inertia;
     this.placing = placing;
     this.forceNames = forceNames;
+    this.clampsInputs = clampsInputs;
     this.numbers = numbers;
     this.losses = losses;
   }
@@ -248,17 +256,17 @@ final class MjcfActuators {
     if (acting.dampingRatio() != 0) {
       acting = acting.damped(way.inertia());
     }
-    addForce(actuator, scope, acting, way, inherited(scope, actuator, tendons));
+    addForce(actuator, scope, acting, way, inherited(scope, actuator, acting, tendons));
   }
 
   /**
-   * Returns the range that an actuator inherits: that of its joint or tendon, made wider or
-   * narrower about its middle.
+   * Returns the range that a servo inherits in place of its own: that of its joint or tendon, made
+   * wider or narrower about its middle. MuJoCo turns that of a joint into radians if it is a limit.
    */
   private Optional<List<Double>> inherited(
-      MjcfReader.Scope scope, Element actuator, Map<String, Tendon> tendons) {
+      MjcfReader.Scope scope, Element actuator, Law law, Map<String, Tendon> tendons) {
     double share = numbers.optional(actuator, "inheritrange", 0);
-    if (!(share > 0)) {
+    if (!(share > 0) || !law.isServo()) {
       return Optional.empty();
     }
     Optional<Joint> joint =
@@ -275,16 +283,16 @@ final class MjcfActuators {
                         .flatMap(name -> Optional.ofNullable(tendons.get(scope.named(name))))
                         .map(Tendon::element));
     boolean turns = joint.filter(one -> one.type() != Freedom.PRISMATIC).isPresent();
-    double unit = turns ? scope.compiler().angle() : 1;
+    String limited = target.flatMap(one -> one.attribute("limited")).orElse("auto");
+    boolean limits =
+        limited.equals("true") || (limited.equals("auto") && scope.compiler().autolimits());
+    double unit = turns && limits ? scope.compiler().angle() : 1;
     Optional<List<Double>> range =
         target.flatMap(
             one -> one.attribute("range").map(text -> numbers.read(one, "range", text, 2, 2)));
     if (range.isEmpty()) {
       numbers.contradiction(
           actuator, "inheritrange is " + share + ", and its joint or tendon has no range");
-    }
-    if (actuator.attribute("ctrlrange").isPresent() || actuator.attribute("actrange").isPresent()) {
-      numbers.contradiction(actuator, "it has inheritrange and a range of its own");
     }
     return range.map(
         ends -> {
@@ -621,8 +629,7 @@ final class MjcfActuators {
   }
 
   private String excitation(Element actuator, String name) {
-    String u = MechmlText.name(name);
-    return range(actuator, "ctrl").map(ends -> clamped(u, ends)).orElse(u);
+    return command(MechmlText.name(name), range(actuator, "ctrl"));
   }
 
   /**
@@ -736,27 +743,28 @@ final class MjcfActuators {
     inputs.add(new Input(actuator, name, speeds ? unit + "/s" : signal));
     String u = MechmlText.name(name);
     boolean integrates = law.activation() == Activation.INTEGRAL;
-    Optional<List<Double>> control =
-        inherited.filter(r -> !integrates).or(() -> range(actuator, "ctrl"));
-    if (control.isPresent()) {
-      u = clamped(u, control.get());
-    }
+    u = command(u, inherited.filter(r -> !integrates).or(() -> range(actuator, "ctrl")));
     if (law.activation() != Activation.NONE) {
       String follower = name + " activation";
       while (!names.add(follower)) {
         follower += "_";
       }
-      String own = MechmlText.name(follower);
+      String activation = MechmlText.name(follower);
       String rate =
           law.activation() == Activation.FILTER
-              ? "(" + u + " - " + own + ")/(" + MechmlText.number(law.time()) + ")"
-              : bounded(own, u, inherited.or(() -> range(actuator, "act")));
+              ? "(" + u + " - " + activation + ")/(" + MechmlText.number(law.time()) + ")"
+              : bounded(activation, u, inherited.or(() -> range(actuator, "act")));
       inputs.add(new State(actuator, follower, signal, rate));
-      u = own;
+      u = activation;
     }
     String force = force(law, way, u);
     Optional<List<Double>> limits = range(actuator, "force");
     way.act(actuator, name, limits.map(r -> clamped(force, r)).orElse("(" + force + ")"));
+  }
+
+  /** Returns an input within its range, as far as ranges of inputs hold. */
+  private String command(String input, Optional<List<Double>> range) {
+    return range.filter(ends -> clampsInputs).map(ends -> clamped(input, ends)).orElse(input);
   }
 
   /** Returns the rate of an integral that its bounds hold back. */

@@ -119,7 +119,15 @@ final class MjcfForces {
     this.inertia = inertia;
     actuators =
         new MjcfActuators(
-            this.joints, sites, references, inertia, this::pose, forceNames, numbers, losses);
+            this.joints,
+            sites,
+            references,
+            inertia,
+            this::pose,
+            forceNames,
+            options.clamped(),
+            numbers,
+            losses);
   }
 
   List<Loop> loops() {
@@ -133,8 +141,44 @@ final class MjcfForces {
   /** Returns the forces, those of motors last. */
   List<Force> forces() {
     List<Force> all = new ArrayList<>(forces);
+    all.removeIf(force -> force instanceof CouplingSpring spring && isIdle(spring));
     all.addAll(actuators.forces());
     return all;
+  }
+
+  /**
+   * Returns whether a spring on one side never acts, because an equation holds its length where it
+   * is slack. At the very end of its range it would begin and end to act with each rounding.
+   */
+  private boolean isIdle(CouplingSpring spring) {
+    return held(spring.terms())
+        .map(
+            length ->
+                (spring.side().equals("tension") && length <= spring.rest())
+                    || (spring.side().equals("compression") && length >= spring.rest()))
+        .orElse(false);
+  }
+
+  /** Returns the value at which an equation holds a sum of positions. */
+  private Optional<Double> held(Map<String, Double> terms) {
+    return couplings.stream()
+        .filter(one -> one.expression().isEmpty() && one.terms().equals(terms))
+        .map(Coupling::constant)
+        .findFirst();
+  }
+
+  /** Returns a joint without limits that never act, because an equation holds it within. */
+  Joint withoutIdleLimits(Joint joint) {
+    boolean idle =
+        held(Map.of(joint.name(), 1.0))
+            .flatMap(
+                position ->
+                    joint
+                        .coordinate()
+                        .limits()
+                        .map(range -> range.lower() <= position && position <= range.upper()))
+            .orElse(false);
+    return idle ? joint.with(joint.coordinate().unlimited()) : joint;
   }
 
   /**

@@ -141,10 +141,6 @@ final class MjcfJointReader {
       if (isLimited(element)) {
         losses.motion(element, "the range of a " + name(freedom) + " joint is left out");
       }
-      if (freedom == Freedom.FLOATING && stiffness != 0) {
-        losses.motion(element, "stiffness of a free joint is left out");
-        return Coordinate.FREE.with(0, damping).armed(armature);
-      }
       return Coordinate.FREE.with(stiffness, damping).armed(armature);
     }
     double unit = freedom == Freedom.PRISMATIC ? 1 : compiler.angle();

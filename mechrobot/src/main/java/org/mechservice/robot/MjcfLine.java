@@ -120,8 +120,8 @@ final class MjcfLine {
   }
 
   /**
-   * Returns what each of its ends would move by if the line grew, with the bodies in places. On a
-   * shape the line pulls towards its centre; along the axis of a cylinder that is near it.
+   * Returns what the line pulls at if it grew, with the bodies in places. Only the motion of the
+   * ends beside the shape counts, so that a shape is pulled at both ends in the opposite way.
    */
   List<RobotInertia.Pull> pulls(Placing placing) {
     List<RobotInertia.Pull> all = new ArrayList<>();
@@ -135,12 +135,10 @@ final class MjcfLine {
       all.add(new RobotInertia.Pull(part.from().link(), from, atStart));
       part.around()
           .ifPresent(
-              shape ->
-                  all.add(
-                      new RobotInertia.Pull(
-                          shape.link(),
-                          placing.apply(shape.link(), shape.frame()).at(),
-                          atStart.plus(atEnd).negated())));
+              shape -> {
+                all.add(new RobotInertia.Pull(shape.link(), to, atEnd.negated()));
+                all.add(new RobotInertia.Pull(shape.link(), from, atStart.negated()));
+              });
     }
     return all;
   }

@@ -17,6 +17,7 @@ import org.mechservice.solver.spatial.Vector3;
  * @param limits whether ranges of joints and tendons act
  * @param friction whether dry friction acts
  * @param motors whether actuators act
+ * @param clamped whether the range of a motor's signal holds
  * @param silent groups of actuators that are off
  * @param density of the medium, kg/m³
  * @param viscosity of the medium, Pa·s
@@ -30,6 +31,7 @@ record MjcfOptions(
     boolean limits,
     boolean friction,
     boolean motors,
+    boolean clamped,
     Set<Integer> silent,
     double density,
     double viscosity,
@@ -41,7 +43,7 @@ record MjcfOptions(
   /** A world in which everything acts, without gravity and medium. */
   static final MjcfOptions NONE =
       new MjcfOptions(
-          Vector3.ZERO, true, true, true, true, true, true, Set.of(), 0, 0, Vector3.ZERO);
+          Vector3.ZERO, true, true, true, true, true, true, true, Set.of(), 0, 0, Vector3.ZERO);
 
   static MjcfOptions of(Element mujoco, RobotNumbers numbers) {
     Vector3 gravity = new Vector3(0, 0, -9.81);
@@ -69,6 +71,7 @@ record MjcfOptions(
         constraints && isOn(mujoco, "limit"),
         constraints && isOn(mujoco, "frictionloss"),
         isOn(mujoco, "actuation"),
+        isOn(mujoco, "clampctrl"),
         silent,
         passive ? density : 0,
         passive ? viscosity : 0,

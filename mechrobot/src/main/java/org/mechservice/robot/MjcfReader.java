@@ -2,6 +2,7 @@ package org.mechservice.robot;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -26,7 +27,7 @@ import org.mechservice.robot.Robot.Inertial;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Link;
 import org.mechservice.robot.Robot.Place;
-import org.mechservice.robot.Robot.TurningSpring;
+import org.mechservice.robot.Robot.PoseSpring;
 import org.mechservice.robot.Robot.Visual;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
@@ -178,6 +179,7 @@ final class MjcfReader {
             losses);
     scopes.forEach(more::read);
     forces.addAll(more.forces());
+    joints.replaceAll(more::withoutIdleLimits);
     boolean alignsFree = compiler.setting("alignfree").filter("true"::equals).isPresent();
     MjcfKeyframe start =
         new MjcfKeyframe(joints, references, alignsFree, numbers, diagnostics, losses);
@@ -268,20 +270,21 @@ final class MjcfReader {
     }
   }
 
-  /** Makes springs between two links of those of balls, which have no single coordinate. */
+  /** Makes springs between two links of those of balls and free joints. */
   private void turnBack() {
     for (int i = 0; i < joints.size(); i++) {
       Joint joint = joints.get(i);
       double stiffness = joint.coordinate().stiffness();
-      if (joint.type() == Freedom.SPHERICAL && stiffness != 0) {
+      if (joint.type().turnsFreely() && stiffness != 0) {
         forces.add(
-            new TurningSpring(
+            new PoseSpring(
                 joint.element(),
                 joint.name() + " spring",
                 joint.parent(),
                 joint.child(),
                 joint.place().frame(),
                 joint.place().point(),
+                joint.type() == Freedom.FLOATING ? stiffness : 0,
                 stiffness));
         joints.set(i, joint.with(joint.coordinate().with(0, joint.coordinate().damping())));
       }
@@ -550,11 +553,12 @@ final class MjcfReader {
     InertiaSource source = compiler.inertiaSource();
     boolean ofShapes =
         source == InertiaSource.SHAPES || (source == InertiaSource.AUTO && given.isEmpty());
-    Optional<Inertial> read =
-        ofShapes
-            ? scope.geometry().inertial(body, shapes)
-            : given.stream().findFirst().flatMap(one -> inertial(compiler, one));
-    return bounded(compiler, body, read);
+    Optional<Inertial> own = given.stream().findFirst().flatMap(one -> inertial(compiler, one));
+    // a body whose shapes have no say keeps what it is given
+    return bounded(
+        compiler,
+        body,
+        ofShapes ? scope.geometry().inertial(body, shapes).or(() -> own) : own);
   }
 
   private Optional<Inertial> bounded(MjcfCompiler compiler, Element body, Optional<Inertial> read) {
@@ -691,8 +695,10 @@ final class MjcfReader {
       moments.addAll(numbers.read(inertial, "diaginertia", diagonal.get(), 3, 3));
       moments.addAll(List.of(0.0, 0.0, 0.0));
     } else {
-      numbers.missing(inertial, "attribute diaginertia or fullinertia");
-      return Optional.empty();
+      moments.addAll(Collections.nCopies(6, 0.0));
+      if (!(compiler.number("boundinertia", 0) > 0)) {
+        numbers.missing(inertial, "attribute diaginertia or fullinertia");
+      }
     }
     return Optional.of(
         new Inertial(

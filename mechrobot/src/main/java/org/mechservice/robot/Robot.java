@@ -321,6 +321,12 @@ record Robot(
           limits, stop, newStiffness, freePosition, newDamping, friction, armature, mimic);
     }
 
+    /** Returns the same without limits. */
+    Coordinate unlimited() {
+      return new Coordinate(
+          Optional.empty(), stop, stiffness, freePosition, damping, friction, armature, mimic);
+    }
+
     /** Returns the same with another armature. */
     Coordinate armed(double newArmature) {
       return new Coordinate(
@@ -576,20 +582,22 @@ record Robot(
       implements Force {}
 
   /**
-   * A spring that turns one link back into its place in another.
+   * A spring that brings one link back into its place in another.
    *
    * @param frame of the second in the first, where the spring exerts nothing
    * @param at where both meet, in the second's axes from its origin, m
-   * @param stiffness about every axis, N·m/rad
+   * @param sliding stiffness along every axis, N/m
+   * @param turning stiffness about every axis, N·m/rad
    */
-  record TurningSpring(
+  record PoseSpring(
       Element element,
       String name,
       String first,
       String second,
       Frame frame,
       Vector3 at,
-      double stiffness)
+      double sliding,
+      double turning)
       implements Force {}
 
   /**

@@ -25,7 +25,7 @@ import org.mechservice.robot.Robot.PathSpring;
 import org.mechservice.robot.Robot.PathTension;
 import org.mechservice.robot.Robot.PointSpring;
 import org.mechservice.robot.Robot.State;
-import org.mechservice.robot.Robot.TurningSpring;
+import org.mechservice.robot.Robot.PoseSpring;
 import org.mechservice.robot.Robot.Waypoint;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -284,10 +284,13 @@ final class RobotActions {
       addStops(muscle, from, one.name(), one.stops());
       addTerms(muscle, from, one.terms());
       return muscle;
-    } else if (force instanceof TurningSpring one) {
+    } else if (force instanceof PoseSpring one) {
       TagBuilder bushing = TagBuilder.of("bushing", from).set("name", one.name());
-      String k = MechmlText.number(one.stiffness());
-      bushing.set("k", "0;0;0;" + k + ";" + k + ";" + k);
+      String along = MechmlText.number(one.sliding());
+      String about = MechmlText.number(one.turning());
+      bushing.set(
+          "k",
+          along + ";" + along + ";" + along + ";" + about + ";" + about + ";" + about);
       Frame inSecond = new Frame(one.at(), Rotation.IDENTITY);
       return bushing
           .add(
