@@ -2,8 +2,8 @@ package org.mechservice.robot;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -556,9 +556,7 @@ final class MjcfReader {
     Optional<Inertial> own = given.stream().findFirst().flatMap(one -> inertial(compiler, one));
     // a body whose shapes have no say keeps what it is given
     return bounded(
-        compiler,
-        body,
-        ofShapes ? scope.geometry().inertial(body, shapes).or(() -> own) : own);
+        compiler, body, ofShapes ? scope.geometry().inertial(body, shapes).or(() -> own) : own);
   }
 
   private Optional<Inertial> bounded(MjcfCompiler compiler, Element body, Optional<Inertial> read) {

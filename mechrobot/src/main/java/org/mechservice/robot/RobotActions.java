@@ -24,8 +24,8 @@ import org.mechservice.robot.Robot.Muscle;
 import org.mechservice.robot.Robot.PathSpring;
 import org.mechservice.robot.Robot.PathTension;
 import org.mechservice.robot.Robot.PointSpring;
-import org.mechservice.robot.Robot.State;
 import org.mechservice.robot.Robot.PoseSpring;
+import org.mechservice.robot.Robot.State;
 import org.mechservice.robot.Robot.Waypoint;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -288,9 +288,7 @@ final class RobotActions {
       TagBuilder bushing = TagBuilder.of("bushing", from).set("name", one.name());
       String along = MechmlText.number(one.sliding());
       String about = MechmlText.number(one.turning());
-      bushing.set(
-          "k",
-          along + ";" + along + ";" + along + ";" + about + ";" + about + ";" + about);
+      bushing.set("k", along + ";" + along + ";" + along + ";" + about + ";" + about + ";" + about);
       Frame inSecond = new Frame(one.at(), Rotation.IDENTITY);
       return bushing
           .add(

@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -87,7 +88,12 @@ final class FormulaForecast {
   }
 
   private void look(Expression formula, String part, Origin origin) {
-    parts(formula).forEach(one -> lookAt(one, part, origin));
+    parts(formula, FormulaForecast::isSmooth).forEach(one -> lookAt(one, part, origin));
+  }
+
+  /** Returns whether a part is known to be smooth though it is put together by choices. */
+  private static boolean isSmooth(Expression part) {
+    return part instanceof Call call && call.function() == MathFunction.SMOOTH;
   }
 
   private void lookAt(Expression formula, String part, Origin origin) {
@@ -199,11 +205,16 @@ final class FormulaForecast {
 
   /** Returns an expression and all of its parts, each object once: formulas may share parts. */
   static Set<Expression> parts(Expression formula) {
+    return parts(formula, part -> false);
+  }
+
+  /** Returns the parts of an expression, without those inside of parts that are whole. */
+  private static Set<Expression> parts(Expression formula, Predicate<Expression> whole) {
     Set<Expression> parts = Collections.newSetFromMap(new IdentityHashMap<>());
     Deque<Expression> open = new ArrayDeque<>(List.of(formula));
     while (!open.isEmpty()) {
       Expression next = open.pop();
-      if (parts.add(next)) {
+      if (parts.add(next) && !whole.test(next)) {
         open.addAll(Expression.operands(next));
       }
     }

@@ -81,6 +81,15 @@ class RunForecastTest {
     assertThat(ofPush(formula)).isEmpty();
   }
 
+  /** The force of a muscle by its rate is of pieces that join with their slopes. */
+  @Test
+  void pullOfAMuscleDoesNotJump() throws Exception {
+    Path muscle = Path.of("../../examples/elements/muscle.xml");
+    assertThat(of(Files.readString(muscle, StandardCharsets.UTF_8)))
+        .extracting(Finding::code)
+        .doesNotContain(MessageCode.FORCE_JUMPS_WITH_VELOCITY);
+  }
+
   /** Half of 1e5 rad/s over 100 s: 5e6 rad. */
   @Test
   void spinOfEulerParametersIsForeseen() throws Exception {
