@@ -172,10 +172,57 @@ class LawElementsTest {
           TOP.resolve("examples/elements/" + row.element() + ".xml"),
           EXAMPLE
               .replace("LAW", row.law().replace("--", "-"))
-              .replace("END", row.example())
+              .replace("TRIAL\n", trial(row.example().trial()))
+              .replace("END", row.example().end())
               .replace("ELEMENT", row.element())
+              .replace("JOINT\n", joint(row.example().trial()))
+              .replace("INERTIA\n", inertia(row.example().trial()))
+              .replace("START", start(row.example().trial()))
               .replace("FORCE\n", element(row, "      ", "o", "block", "o")));
     }
+  }
+
+  private static String trial(ForceRow.Trial trial) {
+    return switch (trial) {
+      case BLOCK ->
+          "between the origin and a block of 1 kg that slides along x, from rest at 1 m.\n";
+      case BALL ->
+          "between the ground and a ball of 1 kg m^2 that turns about its centre, at first at 0.6"
+              + " rad/s.\n";
+    };
+  }
+
+  private static String joint(ForceRow.Trial trial) {
+    return switch (trial) {
+      case BLOCK ->
+          """
+                <joint name="slide" type="P">
+                  <body1 name="Ground" point="o" vector="x"/>
+                  <body2 name="block" point="o" vector="x"/>
+                </joint>
+          """;
+      case BALL ->
+          """
+                <joint name="turn" type="S">
+                  <body1 name="Ground" point="o"/>
+                  <body2 name="block" point="o"/>
+                </joint>
+          """;
+    };
+  }
+
+  private static String inertia(ForceRow.Trial trial) {
+    return switch (trial) {
+      case BLOCK -> "";
+      case BALL -> "        <inertiaTensor Ixx=\"1\" Iyy=\"1\" Izz=\"1\"/>\n";
+    };
+  }
+
+  private static String start(ForceRow.Trial trial) {
+    return switch (trial) {
+      case BLOCK -> "<jointVal name=\"slide\" posVals=\"1\"/>";
+      case BALL -> "<jointVal name=\"turn\" velVals=\"0.2; 0.4; 0.4\"/>";
+    };
   }
 
   private static final String EXAMPLE =
@@ -184,7 +231,7 @@ class LawElementsTest {
       <!DOCTYPE MechML SYSTEM "MechML.dtd">
       <!--
       LAW
-      between the origin and a block of 1 kg that slides along x, from rest at 1 m.
+      TRIAL
       Ends with END.
       -->
       <MechML>
@@ -204,13 +251,11 @@ class LawElementsTest {
               <point name="o" x="0" y="0" z="0"/>
               <vector name="x" vx="1" vy="0" vz="0"/>
               <mass value="1"/>
+      INERTIA
             </body>
           </Bodies>
           <Joints>
-            <joint name="slide" type="P">
-              <body1 name="Ground" point="o" vector="x"/>
-              <body2 name="block" point="o" vector="x"/>
-            </joint>
+      JOINT
           </Joints>
           <Forces>
       FORCE
@@ -218,7 +263,7 @@ class LawElementsTest {
           <topology>
             <root name="Ground"/>
             <relCoorVals>
-              <jointVal name="slide" posVals="1"/>
+              START
             </relCoorVals>
           </topology>
         </MBSmodel>

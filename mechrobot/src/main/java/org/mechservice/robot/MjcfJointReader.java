@@ -136,12 +136,18 @@ final class MjcfJointReader {
     }
     if (!freedom.isSingle()) {
       if (friction != 0) {
-        losses.motion(element, "frictionloss of a " + name(freedom) + " joint is left out");
+        losses.motion(
+            element,
+            freedom == Freedom.FLOATING
+                ? "frictionloss of a free joint is left out"
+                : "frictionloss acts against the whole rotation here, and along each of three axes"
+                    + " in MuJoCo");
       }
       if (isLimited(element)) {
         losses.motion(element, "the range of a " + name(freedom) + " joint is left out");
       }
-      return Coordinate.FREE.with(stiffness, damping).armed(armature);
+      Coordinate all = Coordinate.FREE.with(stiffness, damping).armed(armature);
+      return freedom == Freedom.SPHERICAL ? all.rubbing(friction) : all;
     }
     double unit = freedom == Freedom.PRISMATIC ? 1 : compiler.angle();
     double reference = reference(element, freedom);

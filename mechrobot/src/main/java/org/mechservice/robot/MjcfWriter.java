@@ -17,6 +17,7 @@ import org.mechservice.robot.Robot.Frame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.force.law.PairLaw;
 import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.Armature;
 import org.mechservice.solver.mechanism.Body;
@@ -29,6 +30,7 @@ import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.mechanism.joint.Cylindrical;
@@ -379,6 +381,32 @@ final class MjcfWriter {
     return true;
   }
 
+  /** Takes the friction of a ball in its socket; returns whether it is one. */
+  private boolean rubs(LawForce force) {
+    List<Optional<Double>> numbers = force.numbers().stream().map(this::number).toList();
+    if (force.law() != PairLaw.ROTATION_FRICTION || numbers.contains(Optional.<Double>empty())) {
+      return false;
+    }
+    Set<Integer> bodies = Set.of(force.frame1().body(), force.frame2().body());
+    for (int i = 0; i < mechanism.joints().size(); i++) {
+      if (mechanism.joints().get(i) instanceof Spherical ball
+          && bodies.equals(Set.of(ball.attachment().parent(), ball.attachment().child()))) {
+        double[] all = damped.computeIfAbsent(i, key -> new double[3]);
+        double damping = numbers.get(0).orElseThrow();
+        Arrays.setAll(all, k -> all[k] + damping);
+        if (numbers.get(1).orElseThrow() != 0) {
+          losses.add(
+              force.origin(),
+              "the dry friction of \""
+                  + force.name()
+                  + "\" is left out: that of MJCF acts along each of three axes");
+        }
+        return true;
+      }
+    }
+    return false;
+  }
+
   private void start(List<Double> q, List<Double> v, boolean elsewhere) {
     positions.addAll(q);
     velocities.addAll(v);
@@ -580,6 +608,7 @@ final class MjcfWriter {
                 && place.get().take(friction, mechanism, losses))
             || (force instanceof JointForce motor
                 && (place.isPresent() ? motors.take(motor) : damps(motor)))
+            || (force instanceof LawForce law && rubs(law))
             || (force instanceof SpringDamper spring && take(spring))
             || (force instanceof CouplingSpringDamper spring && take(spring));
     if (!taken) {

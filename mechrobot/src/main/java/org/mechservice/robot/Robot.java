@@ -327,6 +327,12 @@ record Robot(
           Optional.empty(), stop, stiffness, freePosition, damping, friction, armature, mimic);
     }
 
+    /** Returns the same with another friction. */
+    Coordinate rubbing(double newFriction) {
+      return new Coordinate(
+          limits, stop, stiffness, freePosition, damping, newFriction, armature, mimic);
+    }
+
     /** Returns the same with another armature. */
     Coordinate armed(double newArmature) {
       return new Coordinate(

@@ -161,10 +161,11 @@ final class RobotActions {
     }
   }
 
-  /** Adds the damping of a joint with several coordinates: the same along each of them. */
+  /** Adds the damping of a free joint, and what drives a ball: the same along each coordinate. */
   private static void damp(Joint joint, TagBuilder forces) {
     double damping = joint.coordinate().damping();
-    int count = joint.type().turnsFreely() ? (joint.type() == Freedom.SPHERICAL ? 3 : 6) : 0;
+    boolean drives = joint.type() == Freedom.SPHERICAL && damping < 0;
+    int count = joint.type() == Freedom.FLOATING ? 6 : drives ? 3 : 0;
     for (int i = 0; i < count && damping != 0; i++) {
       forces.add(
           TagBuilder.of("jointForce", joint.element())

@@ -166,7 +166,8 @@ final class RobotJoints {
       tag.set("stiffness", coordinate.stiffness());
       tag.set("freePosition", coordinate.freePosition());
     }
-    if (coordinate.damping() > 0 && joint.type().isSingle()) {
+    boolean damped = joint.type().isSingle() || joint.type() == Freedom.SPHERICAL;
+    if (coordinate.damping() > 0 && damped) {
       tag.set("damping", coordinate.damping());
     }
     boolean slides = joint.type() == Freedom.PRISMATIC;

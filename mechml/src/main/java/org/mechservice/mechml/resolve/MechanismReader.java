@@ -48,6 +48,7 @@ import org.mechservice.solver.mechanism.Root;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -317,7 +318,8 @@ final class MechanismReader {
     for (JointLink link : links) {
       names
           .joint(link.element().required("name"))
-          .ifPresent(joint -> forces.addAll(attributes.read(joint)));
+          .ifPresent(
+              joint -> forces.addAll(attributes.read(joint, link.joint().map(Joint::attachment))));
     }
     forces.addAll(new ForcesReader(values, formulas, names, further, diagnostics).read(model));
     return forces;

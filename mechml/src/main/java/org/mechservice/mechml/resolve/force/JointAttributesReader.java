@@ -12,12 +12,17 @@ import org.mechservice.mechml.resolve.formula.ResolvedJoint;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.law.PairLaw;
 import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.LawForce;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.spatial.Rotation;
 
 /**
  * Reads the forces given as attributes of joints: spring, damper, friction, stops. The forces are
@@ -26,6 +31,8 @@ import org.mechservice.solver.mechanism.force.JointSpringDamper;
  */
 public final class JointAttributesReader {
   private static final List<String> SPRING = List.of("stiffness", "damping", "freePosition");
+  private static final List<String> NOT_OF_BALLS =
+      List.of("stiffness", "freePosition", "lower", "upper", "stopStiffness");
   private static final List<String> FRICTION = List.of("friction", "frictionSpeed");
   private static final List<String> STOPS =
       List.of(
@@ -50,13 +57,21 @@ public final class JointAttributesReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the forces of a joint that are without errors. */
-  public List<ForceElement> read(ResolvedJoint joint) {
+  /**
+   * Returns the forces of a joint that are without errors.
+   *
+   * @param place where it joins its bodies; empty after a reported error
+   */
+  public List<ForceElement> read(ResolvedJoint joint, Optional<Attachment> place) {
     Element element = joint.element();
     boolean spring = hasAny(element, SPRING);
     boolean friction = hasAny(element, FRICTION);
     boolean stops = hasAny(element, STOPS);
     List<ForceElement> forces = new ArrayList<>();
+    if (joint.type() == JointType.S && (spring || friction) && !hasAny(element, NOT_OF_BALLS)) {
+      place.flatMap(at -> rotation(element, at)).ifPresent(forces::add);
+      return forces;
+    }
     if ((spring || friction || stops) && takesForces(joint)) {
       List<CoordinateValues> values = components(joint);
       if (spring) {
@@ -72,6 +87,32 @@ public final class JointAttributesReader {
     return forces;
   }
 
+  /** Returns the damping and friction of a ball, against its whole angular velocity. */
+  private Optional<LawForce> rotation(Element element, Attachment at) {
+    boolean rubs = isGiven(element, "friction", "frictionSpeed");
+    if (!rubs && hasAny(element, FRICTION)) {
+      return Optional.empty();
+    }
+    Optional<Expression> damping =
+        formulas.notNegative(element, "damping", Quantity.TORSIONAL_DAMPING);
+    Optional<Expression> friction = formulas.notNegative(element, "friction", Quantity.TORQUE);
+    Optional<Expression> speed =
+        rubs
+            ? formulas.positive(element, "frictionSpeed", Quantity.ANGULAR_SPEED)
+            : Optional.of(new Expression.Constant(1));
+    if (damping.isEmpty() || friction.isEmpty() || speed.isEmpty()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new LawForce(
+            element.required("name") + ".friction",
+            PairLaw.ROTATION_FRICTION,
+            new BodyFrame(at.parent(), at.parentPoint(), Rotation.IDENTITY),
+            new BodyFrame(at.child(), at.childPoint(), Rotation.IDENTITY),
+            List.of(damping.get(), friction.get(), speed.get()),
+            names.origin(element)));
+  }
+
   private static boolean hasAny(Element element, List<String> attributes) {
     return attributes.stream().anyMatch(a -> element.attribute(a).isPresent());
   }
@@ -82,9 +123,8 @@ public final class JointAttributesReader {
       error(
           joint.element(),
           Phrase.of(
-              "a joint of type %s has no springs, friction or stops; use a bushing between its"
-                  + " bodies",
-              type));
+              "a joint of type %s has no %s; use a bushing between its bodies",
+              type, type == JointType.S ? "springs or stops" : "springs, friction or stops"));
       return false;
     }
     return true;

@@ -212,17 +212,25 @@ public final class ForceOracle {
   }
 
   private static void law(LawForce f, IntFunction<TaylorPose> pose, OracleForce.Loads loads) {
-    Vector3 way = way(f.frame1().origin(), f.frame2().origin(), pose);
-    Vector3 force =
-        switch (f.law()) {
-          case INVERSE_SQUARE -> {
-            double soft = number(f.numbers().get(1));
-            double distance = Math.sqrt(way.dot(way) + soft * soft);
-            yield way.times(-number(f.numbers().get(0)) / Math.pow(distance, 3));
-          }
-          default -> throw new IllegalArgumentException("the oracle does not know " + f.law());
-        };
-    loads.force(f.frame2().origin(), force);
-    loads.force(f.frame1().origin(), force.negated());
+    switch (f.law()) {
+      case INVERSE_SQUARE -> {
+        Vector3 way = way(f.frame1().origin(), f.frame2().origin(), pose);
+        double soft = number(f.numbers().get(1));
+        double distance = Math.sqrt(way.dot(way) + soft * soft);
+        Vector3 force = way.times(-number(f.numbers().get(0)) / Math.pow(distance, 3));
+        loads.force(f.frame2().origin(), force);
+        loads.force(f.frame1().origin(), force.negated());
+      }
+      case ROTATION_FRICTION -> {
+        Vector3 omega1 = pose.apply(f.frame1().body()).rotation().angularVelocity();
+        Vector3 omega2 = pose.apply(f.frame2().body()).rotation().angularVelocity();
+        Vector3 omega = omega2.minus(omega1);
+        double speed = Math.hypot(omega.norm(), number(f.numbers().get(2)));
+        double share = number(f.numbers().get(0)) + number(f.numbers().get(1)) / speed;
+        loads.moment(f.frame2().body(), omega.times(-share));
+        loads.moment(f.frame1().body(), omega.times(share));
+      }
+      default -> throw new IllegalArgumentException("the oracle does not know " + f.law());
+    }
   }
 }

@@ -14,8 +14,7 @@ import org.mechservice.solver.api.result.Variable;
  * @param energy what becomes of its work, in words
  * @param attributes its numbers, in the order of the law's coefficients
  * @param outputs names and SI units of its values
- * @param example how its example ends: a block of 1 kg that slides along x from rest at 1 m, with
- *     the force between the origin and it, after 1 s
+ * @param example what its example is
  */
 public record ForceRow(
     String element,
@@ -24,7 +23,23 @@ public record ForceRow(
     String energy,
     List<Attribute> attributes,
     List<Variable> outputs,
-    String example) {
+    Example example) {
+  /** What moves in an example, with the force between the ground and it. */
+  public enum Trial {
+    /** A block of 1 kg that slides along x, from rest 1 m from the origin. */
+    BLOCK,
+    /** A ball of 1 kg m² about every axis that turns about its centre, at first at 0.6 rad/s. */
+    BALL
+  }
+
+  /**
+   * An example.
+   *
+   * @param trial what moves in it
+   * @param end how it ends after 1 s
+   */
+  public record Example(Trial trial, String end) {}
+
   /**
    * An attribute.
    *

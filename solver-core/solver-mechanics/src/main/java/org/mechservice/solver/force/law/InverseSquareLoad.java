@@ -36,7 +36,7 @@ final class InverseSquareLoad implements PairLoad {
                   "distance below which the force no longer grows",
                   0.1)),
           List.of(new Variable("distance", "m"), new Variable("attraction", "N")),
-          "slide.q = 0.729154");
+          new ForceRow.Example(ForceRow.Trial.BLOCK, "slide.q = 0.729154"));
 
   static final Undirected UNDIRECTED =
       new Undirected(

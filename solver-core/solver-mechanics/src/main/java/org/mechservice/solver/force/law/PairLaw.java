@@ -36,7 +36,8 @@ public enum PairLaw {
   CONTACT((x, c) -> contact(false, x, c), ContactLoad.SYMBOLS, Undirected.NEVER),
   /** Likewise at that of the curve on which the centre moves. */
   CONTACT_OF_CENTRE((x, c) -> contact(true, x, c), ContactLoad.SYMBOLS, Undirected.NEVER),
-  INVERSE_SQUARE(InverseSquareLoad::new, InverseSquareLoad.ROW, InverseSquareLoad.UNDIRECTED);
+  INVERSE_SQUARE(InverseSquareLoad::new, InverseSquareLoad.ROW, InverseSquareLoad.UNDIRECTED),
+  ROTATION_FRICTION(RotationFrictionLoad::new, RotationFrictionLoad.ROW, Undirected.NEVER);
 
   /** Number of variables of a printed law. */
   public static final int VARIABLES = 18;

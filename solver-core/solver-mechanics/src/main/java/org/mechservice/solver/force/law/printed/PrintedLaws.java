@@ -28,6 +28,7 @@ public final class PrintedLaws {
       case CONTACT_OF_CENTRE -> smooth ? new PrintedSmoothContactOfCentre() : new
           PrintedContactOfCentre();
       case INVERSE_SQUARE -> new PrintedInverseSquare();
+      case ROTATION_FRICTION -> new PrintedRotationFriction();
       default -> throw new IllegalStateException(law + " is not printed");
     };
   }
