@@ -286,22 +286,14 @@ final class RobotActions {
       addTerms(muscle, from, one.terms());
       return muscle;
     } else if (force instanceof PoseSpring one) {
-      TagBuilder bushing = TagBuilder.of("bushing", from).set("name", one.name());
       String along = MechmlText.number(one.sliding());
       String about = MechmlText.number(one.turning());
+      TagBuilder bushing = TagBuilder.of("bushing", from).set("name", one.name());
       bushing.set("k", along + ";" + along + ";" + along + ";" + about + ";" + about + ";" + about);
       Frame inSecond = new Frame(one.at(), Rotation.IDENTITY);
-      return bushing
-          .add(
-              end(
-                  bushing,
-                  "body1",
-                  from,
-                  one.name(),
-                  one.first(),
-                  one.frame().times(inSecond),
-                  true))
-          .add(end(bushing, "body2", from, one.name(), one.second(), inSecond, true));
+      addEnd(bushing, "body1", one, one.first(), one.frame().times(inSecond), true);
+      addEnd(bushing, "body2", one, one.second(), inSecond, true);
+      return bushing;
     } else if (force instanceof PointSpring one) {
       TagBuilder spring =
           TagBuilder.of("springDamper", from)
@@ -309,25 +301,11 @@ final class RobotActions {
               .set("k", one.stiffness())
               .set("c", one.damping())
               .set("length0", one.rest());
-      return spring
-          .add(
-              end(
-                  spring,
-                  "body1",
-                  from,
-                  one.name(),
-                  one.first(),
-                  new Frame(one.inFirst(), Rotation.IDENTITY),
-                  false))
-          .add(
-              end(
-                  spring,
-                  "body2",
-                  from,
-                  one.name(),
-                  one.second(),
-                  new Frame(one.inSecond(), Rotation.IDENTITY),
-                  false));
+      Frame inFirst = new Frame(one.inFirst(), Rotation.IDENTITY);
+      Frame inSecond = new Frame(one.inSecond(), Rotation.IDENTITY);
+      addEnd(spring, "body1", one, one.first(), inFirst, false);
+      addEnd(spring, "body2", one, one.second(), inSecond, false);
+      return spring;
     }
     BodyForce one = (BodyForce) force;
     addPoint(from, one.link(), one.name(), one.at());
@@ -342,6 +320,12 @@ final class RobotActions {
     addComponents(acting, "f", one.force());
     addComponents(acting, "t", one.torque());
     return acting;
+  }
+
+  /** Adds an end of a force between two bodies. */
+  private void addEnd(
+      TagBuilder owner, String number, Force force, String link, Frame frame, boolean axes) {
+    owner.add(end(owner, number, force.element(), force.name(), link, frame, axes));
   }
 
   private static void addComponents(TagBuilder acting, String letter, List<String> components) {
