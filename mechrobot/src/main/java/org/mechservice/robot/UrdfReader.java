@@ -23,6 +23,9 @@ import org.mechservice.solver.spatial.Vector3;
 
 /** Reads the elements of a robot. */
 final class UrdfReader {
+  /** A link that joints may name as their parent though the file has none such, as in Drake. */
+  private static final String WORLD = "world";
+
   private static final List<String> MOMENTS = List.of("ixx", "iyy", "izz", "ixy", "ixz", "iyz");
 
   private final Diagnostics diagnostics;
@@ -78,6 +81,10 @@ final class UrdfReader {
     if (links.isEmpty()) {
       numbers.missing(robot, "links");
     }
+    read.stream()
+        .filter(joint -> joint.parent().equals(WORLD) && linkNames.add(WORLD))
+        .findFirst()
+        .ifPresent(joint -> links.add(0, new Link(joint.element(), WORLD, Optional.empty())));
     return new Robot(
         RobotFormat.URDF,
         robot.attribute("name").orElse("robot"),

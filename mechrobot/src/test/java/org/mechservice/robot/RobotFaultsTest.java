@@ -410,6 +410,24 @@ class RobotFaultsTest {
     assertThat(there.mechanism().velocityCount()).isEqualTo(7);
   }
 
+  /** As the acrobot of Drake, which is welded to a world that its file does not have. */
+  @Test
+  void urdfMayHangInAWorldThatItDoesNotName() throws MechmlException {
+    String text =
+        """
+        <robot name="r"><joint name="weld" type="fixed"><parent link="world"/><child link="base"/>
+          </joint>
+          <link name="base"><inertial><mass value="1"/>
+            <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+          <link name="arm"><inertial><mass value="1"/>
+            <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+          <joint name="j" type="continuous"><parent link="base"/><child link="arm"/></joint></robot>
+        """;
+    RobotImport robot = RobotImport.of("r.urdf", text.getBytes(StandardCharsets.UTF_8));
+    assertThat(robot.model().mechanism().velocityCount()).isEqualTo(1);
+    assertThat(robot.losses()).isEmpty();
+  }
+
   @Test
   void urdfOfOneLinkMovesFreely() throws MechmlException {
     RobotImport ball =
