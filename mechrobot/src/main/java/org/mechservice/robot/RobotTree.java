@@ -139,6 +139,10 @@ record RobotTree(String root, Set<String> closing, Map<String, Double> start) {
       rooted.addAll(seen);
     }
 
+    /**
+     * Returns the positions at the start: as near to the pose of the file as the limits allow, or,
+     * of a robot with loops, that pose, because it closes them.
+     */
     Map<String, Double> start() {
       Map<String, Double> start = new HashMap<>();
       robot.joints().stream()
@@ -150,9 +154,9 @@ record RobotTree(String root, Set<String> closing, Map<String, Double> start) {
     private double position(Joint joint, Map<String, Double> known, Set<String> asked) {
       Double done = known.get(joint.name());
       if (done != null || joint.coordinate().mimic().isEmpty()) {
-        return done == null
-            ? joint.coordinate().limits().map(Range::nearestToZero).orElse(0.0)
-            : done;
+        boolean loops = !closing.isEmpty() || !robot.loops().isEmpty();
+        Optional<Range> limits = joint.coordinate().limits().filter(range -> !loops);
+        return done == null ? limits.map(Range::nearestToZero).orElse(0.0) : done;
       }
       Mimic mimic = joint.coordinate().mimic().get();
       Joint other = joints.get(mimic.joint());

@@ -410,6 +410,28 @@ class RobotFaultsTest {
     assertThat(there.mechanism().velocityCount()).isEqualTo(7);
   }
 
+  /**
+   * The pose of the file closes the loops of a robot, even where a joint is outside of its range,
+   * as the legs of Cassie are. Without loops joints start within their ranges.
+   */
+  @ParameterizedTest
+  @CsvSource({"<connect body1='b' body2='c' anchor='1 0 0'/>, 0", "'', 0.3"})
+  void loopsStartInThePoseOfTheFile(String equality, double start) throws MechmlException {
+    String text =
+        """
+        <mujoco><compiler angle="radian"/><worldbody>
+          <body name="a"><joint name="j" axis="0 1 0" range="0.3 1"/><geom size="0.1"/>
+            <body name="b" pos="0 0 1"><joint axis="0 1 0"/><geom size="0.1"/></body></body>
+          <body name="c" pos="1 0 0"><joint axis="0 1 0"/><geom size="0.1" pos="0 0 0.5"/></body>
+          </worldbody><equality>EQUALITY</equality></mujoco>
+        """
+            .replace("EQUALITY", equality);
+    RobotImport robot = RobotImport.of("r.xml", text.getBytes(StandardCharsets.UTF_8));
+    double[] y = new double[robot.model().mechanism().stateCount()];
+    robot.model().mechanism().initialState(y);
+    assertThat(y[0]).isEqualTo(start);
+  }
+
   /** As the acrobot of Drake, which is welded to a world that its file does not have. */
   @Test
   void urdfMayHangInAWorldThatItDoesNotName() throws MechmlException {
