@@ -221,7 +221,8 @@ final class RobotJoints {
 
   /** Returns the start of a joint; empty if it is zero. */
   Optional<TagBuilder> start(Joint joint) {
-    if (tree.closes(joint)) {
+    // MechML may cut another joint of a loop, so that one that turns freely has its start always.
+    if (tree.closes(joint) && !joint.type().turnsFreely()) {
       return Optional.empty();
     }
     Start given = robot.starts().get(joint.name());

@@ -23,6 +23,7 @@ import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.Vector3;
 
 /** What robots could lose on their way in: files, frames, masses, names, starts. */
@@ -430,6 +431,43 @@ class RobotFaultsTest {
     double[] y = new double[robot.model().mechanism().stateCount()];
     robot.model().mechanism().initialState(y);
     assertThat(y[0]).isEqualTo(start);
+  }
+
+  /**
+   * A ball that closes a loop in the file, and is of the tree here: the rod that it holds is turned
+   * by a right angle, and the loop is closed at the start all the same.
+   */
+  @Test
+  void ballThatClosesALoopHasItsTurn() throws MechmlException {
+    String inertial =
+        "<inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>";
+    String text =
+        """
+        <sdf version="1.9"><model name="r">
+          <link name="base"/>
+          <link name="crank"><pose>1 0 0 0 0 0</pose>INERTIAL</link>
+          <link name="rod"><pose>0 0 0 0 0 1.5707963267948966</pose>INERTIAL</link>
+          <joint name="fixed" type="fixed"><parent>world</parent><child>base</child></joint>
+          <joint name="turn" type="revolute"><parent>base</parent><child>crank</child>
+            <axis><xyz>0 0 1</xyz></axis></joint>
+          <joint name="ball" type="ball"><parent>rod</parent><child>base</child></joint>
+          <joint name="pin" type="revolute"><parent>crank</parent><child>rod</child>
+            <pose relative_to="crank">0 0 0 0 0 0</pose><axis><xyz>0 0 1</xyz></axis></joint>
+        </model></sdf>
+        """
+            .replace("INERTIAL", inertial);
+    Mechanism mechanism =
+        RobotImport.of("r.sdf", text.getBytes(StandardCharsets.UTF_8)).model().mechanism();
+    assertThat(mechanism.joints()).extracting(Joint::name).contains("ball");
+    double[] y = new double[mechanism.stateCount()];
+    mechanism.initialState(y);
+    int at = 0;
+    while (!mechanism.joints().get(at).name().equals("ball")) {
+      at++;
+    }
+    double root = Math.sqrt(0.5);
+    assertThat(y[mechanism.positionOffset(at)]).isCloseTo(root, within(1e-15));
+    assertThat(Math.abs(y[mechanism.positionOffset(at) + 3])).isCloseTo(root, within(1e-15));
   }
 
   /** As the acrobot of Drake, which is welded to a world that its file does not have. */
