@@ -26,8 +26,7 @@ public final class MechmlModel {
   private final List<String> unused;
   private final List<Diagnostic> warnings;
   private final Set<MessageCode> silenced;
-  private final Map<String, List<Solid>> solids;
-  private final Map<String, List<Look>> looks;
+  private final Scenery scenery;
 
   /** Kept, since it takes long to compute and all callers use the same one. */
   private Optional<ClosedStart> closedStart = Optional.empty();
@@ -45,8 +44,7 @@ public final class MechmlModel {
    *     of body "bar"}
    * @param warnings diagnostics below errors, in file order, without the silenced ones
    * @param silenced warnings that are silenced
-   * @param solids what the bodies consist of, by their names, in file order
-   * @param looks what the bodies are shown as, by their names, in file order
+   * @param scenery what the file says for the eye beside the mechanism
    */
   public MechmlModel(
       Mechanism mechanism,
@@ -58,8 +56,7 @@ public final class MechmlModel {
       List<String> unused,
       List<Diagnostic> warnings,
       Set<MessageCode> silenced,
-      Map<String, List<Solid>> solids,
-      Map<String, List<Look>> looks) {
+      Scenery scenery) {
     this.mechanism = mechanism;
     this.inputCount = inputCount;
     this.settings = settings;
@@ -69,8 +66,7 @@ public final class MechmlModel {
     this.unused = List.copyOf(unused);
     this.warnings = List.copyOf(warnings);
     this.silenced = Set.copyOf(silenced);
-    this.solids = Map.copyOf(solids);
-    this.looks = Map.copyOf(looks);
+    this.scenery = scenery;
   }
 
   /** Creates a model of whose bodies masses alone are known. */
@@ -94,8 +90,7 @@ public final class MechmlModel {
         unused,
         warnings,
         silenced,
-        Map.of(),
-        Map.of());
+        Scenery.NONE);
   }
 
   /** Creates a model none of whose parameters is an input. */
@@ -168,12 +163,22 @@ public final class MechmlModel {
    * given by numbers.
    */
   public List<Solid> solids(String body) {
-    return solids.getOrDefault(body, List.of());
+    return scenery.solids().getOrDefault(body, List.of());
   }
 
   /** Returns what a body is shown as, in file order; nothing if its solids say it. */
   public List<Look> looks(String body) {
-    return looks.getOrDefault(body, List.of());
+    return scenery.looks().getOrDefault(body, List.of());
+  }
+
+  /** Returns what ropes, cables and muscles pass, by their names. */
+  public Map<String, Route> routes() {
+    return scenery.routes();
+  }
+
+  /** Returns the surfaces of contacts and tyres whose height changes, by their names. */
+  public Map<String, Road> roads() {
+    return scenery.roads();
   }
 
   /** Returns the model with an analysis in place of its chosen simulation. */
@@ -208,8 +213,7 @@ public final class MechmlModel {
         unused,
         warnings,
         silenced,
-        solids,
-        looks);
+        scenery);
   }
 
   /** Returns the mechanism with the events of the chosen simulation. */

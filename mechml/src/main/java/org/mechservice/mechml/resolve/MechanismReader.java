@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.mechservice.mechml.Look;
 import org.mechservice.mechml.ReadOptions;
+import org.mechservice.mechml.Scenery;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.Solid;
@@ -24,6 +25,7 @@ import org.mechservice.mechml.resolve.force.JointAttributesReader;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
 import org.mechservice.mechml.resolve.formula.MechanismNames;
 import org.mechservice.mechml.resolve.formula.ResolvedJoint;
+import org.mechservice.mechml.resolve.formula.RopeReader;
 import org.mechservice.mechml.resolve.joint.ArmatureReader;
 import org.mechservice.mechml.resolve.joint.ConstraintsReader;
 import org.mechservice.mechml.resolve.joint.DriveReader;
@@ -122,26 +124,23 @@ final class MechanismReader {
             inputs));
   }
 
-  /** Returns the solids of the bodies that have some, by the bodies' names. */
-  Map<String, List<Solid>> solids() {
+  /** Returns what the file says for the eye; to be called for a file without errors. */
+  Scenery scenery() {
     Map<String, List<Solid>> solids = new HashMap<>();
+    Map<String, List<Look>> looks = new HashMap<>();
     for (BodyDefinition body : names.bodies()) {
       if (!body.solids().isEmpty()) {
         solids.put(body.name(), body.solids());
       }
-    }
-    return solids;
-  }
-
-  /** Returns the looks of the bodies that have some, by the bodies' names. */
-  Map<String, List<Look>> looks() {
-    Map<String, List<Look>> looks = new HashMap<>();
-    for (BodyDefinition body : names.bodies()) {
       if (!body.looks().isEmpty()) {
         looks.put(body.name(), body.looks());
       }
     }
-    return looks;
+    return new Scenery(
+        solids,
+        looks,
+        new RopeReader(values, formulas, names, diagnostics).routes(model),
+        ForcesReader.roads(model, values, formulas, names, diagnostics));
   }
 
   private static List<BodyDefinition> bodies(

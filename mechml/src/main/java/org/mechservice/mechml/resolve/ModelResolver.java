@@ -89,8 +89,7 @@ public final class ModelResolver {
             .filter(said -> said.severity() == Severity.ERROR || !silenced.contains(said.code()))
             .toList(),
         silenced,
-        reader.get().solids(),
-        reader.get().looks());
+        reader.get().scenery());
   }
 
   /** Returns what becomes of inputs: a linearisation varies them, also those with a table. */

@@ -7,7 +7,7 @@ import org.mechservice.view.scene.Point3;
 
 /** Simple solids as surfaces; round ones have a fixed number of faces. */
 public final class Solids {
-  private static final int AROUND = 36;
+  private static final int AROUND = 48;
   private static final int ALONG = 18;
 
   private Solids() {}
@@ -156,17 +156,30 @@ public final class Solids {
   }
 
   /**
-   * Returns a spur gear about the z axis, m.
+   * Returns a spur gear about the z axis with the middle of a tooth on the x axis, m.
    *
    * @param radius of the pitch circle
    * @param teeth at least 6
    */
   public static Mesh gear(double radius, double width, int teeth) {
     double module = 2 * radius / teeth;
-    double root = radius - 1.1 * module;
-    double tip = radius + 0.9 * module;
-    double[][] profile = {{root, 0}, {root, 0.22}, {tip, 0.36}, {tip, 0.64}, {root, 0.78}};
-    double bore = 0.25 * radius;
+    return toothed(radius - 1.1 * module, radius + 0.9 * module, 0.25 * radius, width, teeth);
+  }
+
+  /** Returns a ring with teeth inside, the middle of one on the x axis, m. */
+  public static Mesh ring(double radius, double width, int teeth) {
+    double module = 2 * radius / teeth;
+    return toothed(
+        radius + 1.1 * module, radius - 0.9 * module, radius + 3.4 * module, width, teeth);
+  }
+
+  /**
+   * @param root radius between the teeth
+   * @param tip radius on them
+   * @param plain radius of the other edge, which has no teeth
+   */
+  private static Mesh toothed(double root, double tip, double plain, double width, int teeth) {
+    double[][] profile = {{root, -0.5}, {root, -0.27}, {tip, -0.13}, {tip, 0.13}, {root, 0.27}};
     int around = teeth * profile.length;
     float[] corners = new float[12 * around];
     List<Integer> faces = new ArrayList<>();
@@ -174,7 +187,7 @@ public final class Solids {
       double[] at = profile[j % profile.length];
       int tooth = j / profile.length;
       double angle = 2 * Math.PI * (tooth + at[1]) / teeth;
-      double[] radii = {at[0], at[0], bore, bore};
+      double[] radii = {at[0], at[0], plain, plain};
       for (int k = 0; k < 4; k++) {
         int i = 3 * (4 * j + k);
         corners[i] = (float) (radii[k] * Math.cos(angle));
@@ -189,6 +202,93 @@ public final class Solids {
       quad(faces, a + 1, b + 1, b + 3, a + 3);
     }
     return Mesh.of(corners, faces.stream().mapToInt(Integer::intValue).toArray());
+  }
+
+  /**
+   * Returns a belt around two pulleys whose axes are along z, the first at the origin, the second
+   * on the x axis, m.
+   *
+   * @param first radius of the first pulley
+   * @param second radius of the second
+   * @param distance of the axes, larger than the difference of the radii
+   */
+  public static Mesh belt(
+      double first, double second, double distance, double width, double thickness) {
+    double lean = Math.acos((first - second) / distance);
+    List<double[]> middle = new ArrayList<>();
+    for (int i = 0; i <= AROUND; i++) {
+      double angle = lean + 2 * (Math.PI - lean) * i / AROUND;
+      middle.add(new double[] {0, first, angle});
+    }
+    for (int i = 0; i <= AROUND; i++) {
+      middle.add(new double[] {distance, second, -lean + 2 * lean * i / AROUND});
+    }
+    return band(
+        middle.stream()
+            .map(
+                at -> {
+                  double x = Math.cos(at[2]);
+                  double y = Math.sin(at[2]);
+                  return new double[] {
+                    at[0] + at[1] * x,
+                    at[1] * y,
+                    at[0] + (at[1] + thickness) * x,
+                    (at[1] + thickness) * y
+                  };
+                })
+            .toList(),
+        width,
+        true);
+  }
+
+  /**
+   * Returns a band between two outlines, as wide along z as it is said, m.
+   *
+   * @param sections of the outlines in order: x, y of the one, x, y of the other
+   * @param closed whether the last section is before the first
+   */
+  private static Mesh band(List<double[]> sections, double width, boolean closed) {
+    int count = sections.size();
+    float[] corners = new float[12 * count];
+    List<Integer> faces = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      double[] section = sections.get(i);
+      for (int k = 0; k < 4; k++) {
+        corners[12 * i + 3 * k] = (float) section[k < 2 ? 0 : 2];
+        corners[12 * i + 3 * k + 1] = (float) section[k < 2 ? 1 : 3];
+        corners[12 * i + 3 * k + 2] = (float) (k % 3 == 0 ? -width / 2 : width / 2);
+      }
+      if (i + 1 < count || closed) {
+        int next = (i + 1) % count;
+        for (int k = 0; k < 4; k++) {
+          int l = (k + 1) % 4;
+          quad(faces, 4 * i + k, 4 * next + k, 4 * next + l, 4 * i + l);
+        }
+      }
+    }
+    if (!closed) {
+      int last = 4 * (count - 1);
+      quad(faces, 0, 1, 2, 3);
+      quad(faces, last + 3, last + 2, last + 1, last);
+    }
+    return Mesh.of(corners, faces.stream().mapToInt(Integer::intValue).toArray());
+  }
+
+  /**
+   * Returns a road in the x-z plane: a sheet of a thickness below a line, as wide along y as it is
+   * said, m.
+   *
+   * @param line x and z of its points, by growing x
+   */
+  public static Mesh road(List<double[]> line, double width, double thickness) {
+    Mesh lying =
+        band(
+            line.stream().map(at -> new double[] {at[0], at[1], at[0], at[1] - thickness}).toList(),
+            width,
+            false);
+    // from x, y across z to x, z across y
+    double half = Math.sqrt(0.5);
+    return lying.moved(new BodyPose(Point3.ZERO, half, half, 0, 0));
   }
 
   /**

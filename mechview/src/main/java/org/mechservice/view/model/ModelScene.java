@@ -28,6 +28,8 @@ public final class ModelScene {
     TreeMotion motion = new TreeMotion(start.tree());
     motion.sweep(start.time(), start.state());
     SceneParts parts = new SceneParts(motion, start.time());
+    SceneGears gears = new SceneGears(mechanism, parts);
+    gears.find();
     CheckReport check = CheckReport.of(model);
     SceneVerdict verdict =
         new SceneVerdict(
@@ -48,7 +50,10 @@ public final class ModelScene {
         parts.joints(),
         parts.constraints(),
         parts.forces(),
-        new SceneGears(mechanism, parts).all(),
+        gears.wheels(),
+        gears.belts(),
+        parts.ropes(model.routes()),
+        parts.roads(model.roads()),
         verdict);
   }
 

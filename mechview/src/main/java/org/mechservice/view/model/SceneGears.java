@@ -1,6 +1,7 @@
 package org.mechservice.view.model;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,34 +14,54 @@ import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.joint.Joint;
-import org.mechservice.view.scene.Anchor;
 import org.mechservice.view.scene.BodyPose;
 import org.mechservice.view.scene.Point3;
+import org.mechservice.view.scene.SceneBelt;
 import org.mechservice.view.scene.SceneGear;
 import org.mechservice.view.scene.SceneJoint;
 
 /**
- * The gear wheels that couplings of turning joints stand for: two wheels on one body, or the wheels
- * of a planetary gear. Their radii are in the ratio of the factors of their angles, and fit the
- * distance of their axes. What turns the same way as the wheel beside it and is as fast is no gear.
+ * The gear wheels and belts that couplings of turning joints stand for: two wheels on one body, or
+ * the wheels of a planetary gear. Their radii are in the ratio of the factors of their angles, and
+ * fit the distance of their axes. What turns the same way as the wheel beside it is driven by a
+ * belt, unless it is as fast: then nothing is known of what joins them.
+ *
+ * <p>Teeth of all wheels have one size, and at the start those of one wheel are in the gaps of the
+ * other: with the pitch p, and a tooth of the first wheel at the angle α from the line to the
+ * second centre, the second has one at ψ = −(α r₁ + p/2)/r₂ from the line back, and a ring around
+ * the first one at (α r₁ + p/2)/r₂ from the same line.
  */
 final class SceneGears {
   private static final double PARALLEL = 1e-6;
 
+  /** Teeth of the smallest wheel. */
+  private static final int FEWEST_TEETH = 18;
+
+  /** Radius of the larger pulley of a belt, in parts of the distance of the axles. */
+  private static final double PULLEY = 0.36;
+
   private final Mechanism mechanism;
   private final SceneParts parts;
-  private final Map<Integer, SceneGear> gears = new LinkedHashMap<>();
+  private final Map<Integer, Wheel> wheels = new LinkedHashMap<>();
+  private final List<Mesh> meshes = new ArrayList<>();
+  private final List<SceneBelt> belts = new ArrayList<>();
 
-  /** A turning joint with the factor of its angle. */
+  /** A turning joint with the factor of its angle; point and axis in world axes. */
   private record Turning(SceneJoint joint, Point3 point, Point3 axis, double factor) {}
+
+  /** A wheel in world axes at the start. */
+  private record Wheel(SceneGear.Kind kind, int body, Point3 centre, Point3 axis, double radius) {}
+
+  /** Two bodies whose wheels mesh, the second perhaps a ring around the first. */
+  private record Mesh(int first, int second) {}
 
   SceneGears(Mechanism mechanism, SceneParts parts) {
     this.mechanism = mechanism;
     this.parts = parts;
   }
 
-  /** Returns the wheels, one at most for each body. */
-  List<SceneGear> all() {
+  /** Finds the wheels, one at most for each body, and the belts. */
+  void find() {
     for (LoopClosure closure : mechanism.closures()) {
       if (closure instanceof CoordinateClosure one && one.points().isEmpty()) {
         add(one.relation());
@@ -51,7 +72,77 @@ final class SceneGears {
         add(one.along());
       }
     }
-    return List.copyOf(gears.values());
+  }
+
+  /** Returns the belts. */
+  List<SceneBelt> belts() {
+    return List.copyOf(belts);
+  }
+
+  /** Returns the wheels. */
+  List<SceneGear> wheels() {
+    double smallest = wheels.values().stream().mapToDouble(Wheel::radius).min().orElse(1);
+    double pitch = 2 * Math.PI * smallest / FEWEST_TEETH;
+    Map<Integer, Point3> teeth = teeth(pitch);
+    return wheels.values().stream()
+        .map(
+            wheel -> {
+              BodyPose pose = parts.pose(wheel.body());
+              return new SceneGear(
+                  wheel.kind(),
+                  wheel.body(),
+                  pose.turnBack(wheel.centre().minus(pose.position())),
+                  pose.turnBack(wheel.axis()),
+                  pose.turnBack(teeth.getOrDefault(wheel.body(), across(wheel.axis()))),
+                  wheel.radius(),
+                  wheel.kind() == SceneGear.Kind.PULLEY
+                      ? 0
+                      : (int) Math.round(2 * Math.PI * wheel.radius() / pitch));
+            })
+        .toList();
+  }
+
+  /** Returns the direction of one tooth of each wheel that meshes. */
+  private Map<Integer, Point3> teeth(double pitch) {
+    Map<Integer, Point3> teeth = new HashMap<>();
+    for (int round = 0; round <= meshes.size(); round++) {
+      for (Mesh mesh : meshes) {
+        Wheel one = wheels.get(mesh.first());
+        Wheel other = wheels.get(mesh.second());
+        if (one == null || other == null) {
+          continue;
+        }
+        if (teeth.containsKey(other.body()) && !teeth.containsKey(one.body())) {
+          teeth.put(one.body(), opposite(other, teeth.get(other.body()), one, pitch));
+        } else {
+          Point3 first = teeth.computeIfAbsent(one.body(), key -> across(one.axis()));
+          teeth.computeIfAbsent(other.body(), key -> opposite(one, first, other, pitch));
+        }
+      }
+    }
+    return teeth;
+  }
+
+  /** Returns the direction of a tooth of the other wheel beside the teeth of one. */
+  private static Point3 opposite(Wheel one, Point3 tooth, Wheel other, double pitch) {
+    boolean inside = one.kind() == SceneGear.Kind.RING || other.kind() == SceneGear.Kind.RING;
+    Point3 axis = one.axis();
+    Point3 between = other.centre().minus(one.centre());
+    Point3 level = between.minus(axis.times(between.dot(axis)));
+    Point3 line = level.times(1 / level.norm());
+    // from a ring the line goes on beyond the centre of the wheel in it
+    Point3 out = other.kind() == SceneGear.Kind.RING ? line.times(-1) : line;
+    double angle = Math.atan2(axis.dot(out.cross(tooth)), out.dot(tooth));
+    double turn = (angle * one.radius() + pitch / 2) / other.radius();
+    Point3 from = inside ? out : out.times(-1);
+    double signed = inside ? turn : -turn;
+    return from.times(Math.cos(signed)).plus(axis.cross(from).times(Math.sin(signed)));
+  }
+
+  private static Point3 across(Point3 axis) {
+    Point3 other = Math.abs(axis.x()) < 0.8 ? new Point3(1, 0, 0) : new Point3(0, 1, 0);
+    Point3 side = axis.cross(other);
+    return side.times(1 / side.norm());
   }
 
   private void add(Expression relation) {
@@ -90,13 +181,40 @@ final class SceneGears {
     double distance = distance(one, other);
     double first = Math.abs(one.factor());
     double second = Math.abs(other.factor());
-    boolean outside = one.factor() * other.factor() * one.axis().dot(other.axis()) > 0;
-    if (!(distance > 0) || !outside) {
+    if (!(distance > 0)) {
       return;
     }
-    double scale = distance / (first + second);
-    put(one, scale * first, false);
-    put(other, scale * second, false);
+    boolean outside = one.factor() * other.factor() * one.axis().dot(other.axis()) > 0;
+    if (outside) {
+      double scale = distance / (first + second);
+      put(SceneGear.Kind.WHEEL, one, scale * first);
+      put(SceneGear.Kind.WHEEL, other, scale * second);
+      meshes.add(new Mesh(one.joint().second().body(), other.joint().second().body()));
+    } else if (Math.abs(first - second) > 1e-9 * first) {
+      double scale = PULLEY * distance / Math.max(first, second);
+      put(SceneGear.Kind.PULLEY, one, scale * first);
+      put(SceneGear.Kind.PULLEY, other, scale * second);
+      belt(one, other, scale);
+    }
+  }
+
+  private void belt(Turning one, Turning other, double scale) {
+    int body = one.joint().first().body();
+    BodyPose pose = parts.pose(body);
+    Point3 way = other.point().minus(one.point());
+    Point3 level = way.minus(one.axis().times(way.dot(one.axis())));
+    double distance = level.norm();
+    Point3 x = pose.turnBack(level.times(1 / distance));
+    Point3 z = pose.turnBack(one.axis());
+    Point3 y = z.cross(x);
+    double[] rows = {x.x(), y.x(), z.x(), x.y(), y.y(), z.y(), x.z(), y.z(), z.z()};
+    belts.add(
+        new SceneBelt(
+            body,
+            BodyPose.of(pose.turnBack(one.point().minus(pose.position())), rows, 0),
+            scale * Math.abs(one.factor()),
+            scale * Math.abs(other.factor()),
+            distance));
   }
 
   /** A planet runs in a ring of the body that the carrier turns on. */
@@ -108,18 +226,17 @@ final class SceneGears {
       return;
     }
     double scale = distance / (larger - smaller);
-    put(planet, scale * smaller, false);
-    SceneJoint joint = carrier.joint();
-    gears.putIfAbsent(
-        joint.first().body(),
-        new SceneGear(
-            joint.first().body(), joint.first().point(), joint.axis(), scale * larger, true));
+    put(SceneGear.Kind.WHEEL, planet, scale * smaller);
+    int fixed = carrier.joint().first().body();
+    wheels.putIfAbsent(
+        fixed,
+        new Wheel(SceneGear.Kind.RING, fixed, carrier.point(), carrier.axis(), scale * larger));
+    meshes.add(new Mesh(planet.joint().second().body(), fixed));
   }
 
-  private void put(Turning turn, double radius, boolean ring) {
-    Anchor at = turn.joint().second();
-    Point3 axis = parts.pose(at.body()).turnBack(turn.axis());
-    gears.putIfAbsent(at.body(), new SceneGear(at.body(), at.point(), axis, radius, ring));
+  private void put(SceneGear.Kind kind, Turning turn, double radius) {
+    int body = turn.joint().second().body();
+    wheels.putIfAbsent(body, new Wheel(kind, body, turn.point(), turn.axis(), radius));
   }
 
   /** Returns how far two parallel axes are from each other, m; 0 if they are not parallel. */

@@ -1,13 +1,18 @@
 package org.mechservice.view.model;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Function;
 import org.mechservice.mechml.Look;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.Road;
+import org.mechservice.mechml.Route;
 import org.mechservice.mechml.Solid;
+import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
@@ -43,6 +48,7 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.view.scene.Anchor;
 import org.mechservice.view.scene.BodyPose;
@@ -52,6 +58,8 @@ import org.mechservice.view.scene.SceneConstraint;
 import org.mechservice.view.scene.SceneForce;
 import org.mechservice.view.scene.SceneJoint;
 import org.mechservice.view.scene.SceneLook;
+import org.mechservice.view.scene.SceneRoad;
+import org.mechservice.view.scene.SceneRope;
 import org.mechservice.view.scene.SceneSolid;
 
 /** Translates the parts of a mechanism in one position to the parts of a scene. */
@@ -265,6 +273,77 @@ final class SceneParts {
     return forces;
   }
 
+  /** Returns the ropes, cables and muscles. */
+  List<SceneRope> ropes(Map<String, Route> routes) {
+    List<SceneRope> ropes = new ArrayList<>();
+    new TreeMap<>(routes)
+        .forEach(
+            (name, route) ->
+                ropes.add(
+                    new SceneRope(
+                        name,
+                        route.muscle(),
+                        route.stops().stream().map(this::stop).toList(),
+                        route
+                            .plane()
+                            .map(SceneParts::frame)
+                            .orElse(new SceneRope.Frame(Anchor.ROOT, BodyPose.WORLD)))));
+    return ropes;
+  }
+
+  private SceneRope.Stop stop(Route.Stop stop) {
+    if (stop instanceof Route.Eye eye) {
+      return new SceneRope.Eye(anchor(eye.at()));
+    } else if (stop instanceof Route.Pulley one) {
+      return new SceneRope.Pulley(
+          anchor(one.centre()), value(one.radius()), one.left(), one.held());
+    } else if (stop instanceof Route.Around one) {
+      return new SceneRope.Around(
+          anchor(one.centre()),
+          point(one.axis().orElse(Vector3.ZERO)),
+          value(one.radius()),
+          one.side().stream().map(SceneParts::anchor).toList(),
+          one.inside());
+    }
+    return new SceneRope.Branch();
+  }
+
+  private static SceneRope.Frame frame(BodyFrame frame) {
+    return new SceneRope.Frame(frame.body(), pose(frame));
+  }
+
+  private static BodyPose pose(BodyFrame frame) {
+    Rotation axes = frame.axes();
+    double[] rows = {
+      axes.xx(), axes.xy(), axes.xz(), axes.yx(), axes.yy(), axes.yz(), axes.zx(), axes.zy(),
+      axes.zz()
+    };
+    return BodyPose.of(point(frame.position()), rows, 0);
+  }
+
+  /** Returns the surfaces whose height changes; contacts on one surface share it. */
+  List<SceneRoad> roads(Map<String, Road> roads) {
+    Map<Road, List<SceneForce>> shared = new LinkedHashMap<>();
+    for (SceneForce force : forces()) {
+      Road road = roads.get(force.name());
+      if (road != null) {
+        shared.computeIfAbsent(road, key -> new ArrayList<>()).add(force);
+      }
+    }
+    List<SceneRoad> all = new ArrayList<>();
+    shared.forEach(
+        (road, forces) ->
+            all.add(
+                new SceneRoad(
+                    forces.get(0).name(),
+                    road.frame().body(),
+                    pose(road.frame()),
+                    x -> value(road.height(), x),
+                    forces.stream().map(force -> force.anchors().get(0)).toList(),
+                    forces.stream().mapToDouble(SceneForce::radius).max().orElse(0))));
+    return all;
+  }
+
   private static SceneForce between(String name, SceneForce.Kind kind, List<BodyPoint> points) {
     Function<BodyPoint, Anchor> anchor = SceneParts::anchor;
     return new SceneForce(
@@ -318,11 +397,18 @@ final class SceneParts {
 
   /** Returns the value at the start, with 0 for whatever depends on the state. */
   private double value(Expression expression) {
+    return value(expression, 0);
+  }
+
+  /** Returns the same of a function of an argument. */
+  private double value(Expression expression, double argument) {
     FormulaEvaluation evaluation = new FormulaEvaluation(List.of(expression));
     for (int leaf = 0; leaf < evaluation.leaves().size(); leaf++) {
       Expression kind = evaluation.leaves().get(leaf);
       if (kind instanceof Expression.Time) {
         evaluation.setLeaf(leaf, t);
+      } else if (kind instanceof Expression.Argument) {
+        evaluation.setLeaf(leaf, argument);
       } else if (kind instanceof Expression.ParameterValue parameter) {
         evaluation.setLeaf(leaf, mechanism.parameters().get(parameter.index()).value());
       }

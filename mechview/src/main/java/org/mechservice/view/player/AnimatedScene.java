@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.IntFunction;
@@ -36,6 +37,7 @@ public final class AnimatedScene {
   private final SceneDescription scene;
   private final Stage stage;
   private final Recording recording;
+  private final List<Part> parts;
   private final ByteArrayOutputStream binary = new ByteArrayOutputStream();
   private final JsonArray nodes = new JsonArray();
   private final JsonArray meshes = new JsonArray();
@@ -57,6 +59,7 @@ public final class AnimatedScene {
     this.scene = scene;
     this.stage = stage;
     this.recording = recording;
+    parts = stage.parts(recording);
   }
 
   /**
@@ -185,7 +188,7 @@ public final class AnimatedScene {
     node.add("translation", numbers(vector(start.position())));
     node.add("rotation", numbers(rotation(start)));
     JsonArray children = new JsonArray();
-    for (Part part : stage.parts()) {
+    for (Part part : parts) {
       if (part.body() == body && part.role() != Part.Role.INERTIA) {
         JsonObject child = new JsonObject();
         child.addProperty("name", part.name());

@@ -17,7 +17,10 @@ record Part(
   enum Role {
     BODY,
     JOINT,
+    /** A plane that something rolls or lies on, as a thin sheet. */
     SURFACE,
+    /** A surface whose height changes, as far as the motion goes along it. */
+    ROAD,
     /** The box of even density with a body's inertia, which is hidden unless asked for. */
     INERTIA
   }

@@ -27,12 +27,13 @@ import org.mechservice.view.scene.Point3;
 import org.mechservice.view.scene.SceneDescription;
 import org.mechservice.view.scene.SceneForce;
 import org.mechservice.view.scene.SceneJoint;
+import org.mechservice.view.scene.SceneRope;
 
 /** The player as one HTML page that holds the run, its program and nothing to be fetched. */
 public final class PlayerPage {
   /** The page's program, each module after those that it needs. */
   private static final List<String> MODULES =
-      List.of("space", "recording", "surface", "scene", "curves", "player");
+      List.of("space", "recording", "surface", "rope", "scene", "curves", "player");
 
   /** The function that begins the program: with a recorded run, or with a model in the page. */
   private static final String RECORDED = "main";
@@ -201,6 +202,7 @@ public final class PlayerPage {
     data.add("bodies", bodies);
     parts(data);
     data.add("links", links());
+    data.add("ropes", ropes());
     data.add("joints", joints());
     data.add("forces", forces());
     JsonArray told = new JsonArray();
@@ -242,7 +244,12 @@ public final class PlayerPage {
   }
 
   private JsonArray pose(BodyPose pose) {
-    JsonArray array = array(pose.position().minus(origin));
+    return numbers(
+        new BodyPose(pose.position().minus(origin), pose.e0(), pose.e1(), pose.e2(), pose.e3()));
+  }
+
+  private static JsonArray numbers(BodyPose pose) {
+    JsonArray array = array(pose.position());
     array.add(pose.e0());
     array.add(pose.e1());
     array.add(pose.e2());
@@ -337,7 +344,7 @@ public final class PlayerPage {
     JsonArray meshes = new JsonArray();
     JsonArray parts = new JsonArray();
     IdentityHashMap<Mesh, Integer> known = new IdentityHashMap<>();
-    for (Part part : stage.parts()) {
+    for (Part part : stage.parts(recording)) {
       Shape shape = part.shape();
       Integer place = known.get(shape.mesh());
       if (place == null) {
@@ -352,12 +359,7 @@ public final class PlayerPage {
       one.addProperty("colour", part.colour());
       one.addProperty("opacity", part.opacity());
       one.addProperty("finish", part.finish().name());
-      JsonArray at = array(shape.at().position());
-      at.add(shape.at().e0());
-      at.add(shape.at().e1());
-      at.add(shape.at().e2());
-      at.add(shape.at().e3());
-      one.add("at", at);
+      one.add("at", numbers(shape.at()));
       one.add("scale", array(shape.scale()));
       parts.add(one);
     }
@@ -393,6 +395,52 @@ public final class PlayerPage {
       links.add(one);
     }
     return links;
+  }
+
+  private JsonArray ropes() {
+    JsonArray ropes = new JsonArray();
+    for (SceneRope rope : scene.ropes()) {
+      Strut.Kind kind = rope.muscle() ? Strut.Kind.MUSCLE : Strut.Kind.ROPE;
+      JsonObject one = named(rope.name());
+      one.addProperty("colour", kind.colour());
+      one.addProperty("width", kind.width());
+      one.addProperty("tension", place(rope.name() + ".tension"));
+      JsonArray stops = new JsonArray();
+      rope.stops().forEach(stop -> stops.add(stop(stop)));
+      one.add("stops", stops);
+      JsonObject plane = new JsonObject();
+      plane.addProperty("body", rope.plane().body());
+      plane.add("at", numbers(rope.plane().axes()));
+      one.add("plane", plane);
+      ropes.add(one);
+    }
+    return ropes;
+  }
+
+  private static JsonObject stop(SceneRope.Stop stop) {
+    JsonObject one = new JsonObject();
+    if (stop instanceof SceneRope.Eye eye) {
+      one.addProperty("kind", "eye");
+      one.add("at", array(eye.at()));
+    } else if (stop instanceof SceneRope.Pulley pulley) {
+      one.addProperty("kind", "pulley");
+      one.add("at", array(pulley.centre()));
+      one.addProperty("radius", pulley.radius());
+      one.addProperty("left", pulley.left());
+      one.addProperty("held", pulley.held());
+    } else if (stop instanceof SceneRope.Around shape) {
+      one.addProperty("kind", "around");
+      one.add("at", array(shape.centre()));
+      one.addProperty("radius", shape.radius());
+      one.add("axis", array(shape.axis()));
+      JsonArray sides = new JsonArray();
+      shape.sides().forEach(side -> sides.add(array(side)));
+      one.add("sides", sides);
+      one.addProperty("inside", shape.inside());
+    } else {
+      one.addProperty("kind", "branch");
+    }
+    return one;
   }
 
   private JsonArray joints() {

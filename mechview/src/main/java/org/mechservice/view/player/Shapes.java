@@ -80,6 +80,11 @@ final class Shapes {
     return scaled("gear", at, radius, width / radius, teeth);
   }
 
+  /** Returns a ring with teeth inside about the z axis of a pose. */
+  Shape ring(BodyPose at, double radius, double width, int teeth) {
+    return scaled("ring", at, radius, width / radius, teeth);
+  }
+
   /** Returns a wheel with a groove for a rope or belt about the z axis of a pose. */
   Shape pulley(BodyPose at, double radius, double width) {
     return scaled("pulley", at, radius, width / radius, 0);
@@ -96,6 +101,7 @@ final class Shapes {
                   case "frustum" -> Solids.frustum(1, first, second);
                   case "tyre" -> Solids.tyre(1, first);
                   case "gear" -> Solids.gear(1, first, (int) second);
+                  case "ring" -> Solids.ring(1, first, (int) second);
                   default -> Solids.pulley(1, first);
                 });
     return new Shape(surface, at, new Point3(radius, radius, radius));

@@ -12,6 +12,7 @@ import org.mechservice.view.mesh.Solids;
 import org.mechservice.view.scene.Anchor;
 import org.mechservice.view.scene.BodyPose;
 import org.mechservice.view.scene.Point3;
+import org.mechservice.view.scene.SceneBelt;
 import org.mechservice.view.scene.SceneBody;
 import org.mechservice.view.scene.SceneConstraint;
 import org.mechservice.view.scene.SceneDescription;
@@ -19,6 +20,8 @@ import org.mechservice.view.scene.SceneForce;
 import org.mechservice.view.scene.SceneGear;
 import org.mechservice.view.scene.SceneJoint;
 import org.mechservice.view.scene.SceneLook;
+import org.mechservice.view.scene.SceneRoad;
+import org.mechservice.view.scene.SceneRope;
 import org.mechservice.view.scene.SceneSolid;
 
 /**
@@ -41,6 +44,7 @@ public final class Stage {
   private static final int SURFACE = 0x93a08f;
   private static final int RUBBER = 0x2c2f34;
   private static final int STEEL = 0xc3cad2;
+  private static final int ASPHALT = 0x767d85;
 
   /** Longest edge of a box that a body's inertia is drawn as, in parts of the extent. */
   private static final double LARGEST_BOX = 0.5;
@@ -62,6 +66,7 @@ public final class Stage {
   private final List<Strut> links = new ArrayList<>();
   private final List<String> warnings = new ArrayList<>();
   private final Set<Surface> surfaces = new HashSet<>();
+  private final Set<List<Object>> passed = new HashSet<>();
 
   /** A plane fixed in a body; several contacts may share it. */
   private record Surface(Anchor at, Point3 normal) {}
@@ -87,6 +92,8 @@ public final class Stage {
       }
     }
     scene.gears().forEach(this::addGear);
+    scene.belts().forEach(this::addBelt);
+    scene.ropes().forEach(this::addPassed);
     scene.joints().forEach(this::addJoint);
     scene.constraints().forEach(this::addConstraint);
     scene.forces().forEach(this::addForce);
@@ -97,9 +104,20 @@ public final class Stage {
     return List.copyOf(warnings);
   }
 
-  /** Returns the surfaces. */
-  List<Part> parts() {
-    return List.copyOf(parts);
+  /**
+   * Returns the surfaces, roads as far as a motion goes along them.
+   *
+   * @param motion without frames, roads are drawn around the place of the start
+   */
+  List<Part> parts(Recording motion) {
+    List<Part> all = new ArrayList<>(parts);
+    for (SceneRoad road : scene.roads()) {
+      Mesh strip = new RoadStrip(scene, road, extent).of(motion);
+      Shape shape = Shape.of(strip, road.frame());
+      all.add(
+          new Part(road.body(), Part.Role.ROAD, road.name(), shape, ASPHALT, 1, Part.Finish.DULL));
+    }
+    return all;
   }
 
   /** Returns the links. */
@@ -155,9 +173,16 @@ public final class Stage {
       addInertia(index, box);
       return;
     }
-    boolean solid = addSolids(index, body.solids());
+    List<SceneSolid> plain =
+        body.solids().stream()
+            .filter(
+                one ->
+                    scene.gears().stream()
+                        .noneMatch(gear -> gear.body() == index && isBlank(one, gear)))
+            .toList();
+    boolean solid = addSolids(index, plain);
     boolean round = addRounds(index);
-    if (solid) {
+    if (solid || plain.size() < body.solids().size()) {
       addRods(index, body);
     } else if (!addSkeleton(index, body, round)) {
       addBody(index, mass(box, body));
@@ -372,25 +397,102 @@ public final class Stage {
       }
     }
     return any
-        || scene.gears().stream().anyMatch(gear -> gear.body() == body && !gear.ring())
+        || scene.gears().stream()
+            .anyMatch(gear -> gear.body() == body && gear.kind() != SceneGear.Kind.RING)
         || scene.constraints().stream()
             .anyMatch(one -> one.wheel().isPresent() && one.anchors().get(0).body() == body);
   }
 
-  /** Adds a gear wheel; those of one scene have teeth of one size. */
+  /** Adds a gear wheel or a pulley, as wide as the solid that it takes the place of. */
   private void addGear(SceneGear gear) {
-    double smallest =
-        scene.gears().stream().mapToDouble(SceneGear::radius).min().orElse(gear.radius());
-    double width = 0.4 * smallest;
-    BodyPose at = Solids.zAlong(gear.axis(), gear.centre());
-    if (gear.ring()) {
-      String name = scene.bodyName(gear.body());
-      Shape ring = shapes.tube(at, 1.06 * gear.radius(), 1.22 * gear.radius(), width);
-      add(gear.body(), Part.Role.BODY, name, ring, STEEL);
-    } else {
-      int teeth = Math.max(8, (int) Math.round(18 * gear.radius() / smallest));
-      addBody(gear.body(), shapes.gear(at, gear.radius(), width, teeth));
+    double width = gearWidth();
+    String name = scene.bodyName(gear.body());
+    if (gear.body() != Anchor.ROOT) {
+      for (SceneSolid solid : scene.bodies().get(gear.body()).solids()) {
+        if (isBlank(solid, gear) && solid instanceof SceneSolid.Round round) {
+          width = round.to().minus(round.from()).norm();
+        }
+      }
     }
+    Point3 x = gear.tooth();
+    Point3 z = gear.axis();
+    Point3 y = z.cross(x);
+    double[] rows = {x.x(), y.x(), z.x(), x.y(), y.y(), z.y(), x.z(), y.z(), z.z()};
+    BodyPose at = BodyPose.of(gear.centre(), rows, 0);
+    switch (gear.kind()) {
+      case WHEEL -> addBody(gear.body(), shapes.gear(at, gear.radius(), width, gear.teeth()));
+      case RING ->
+          add(
+              gear.body(),
+              Part.Role.BODY,
+              name,
+              shapes.ring(at, gear.radius(), width, gear.teeth()),
+              STEEL);
+      case PULLEY -> addBody(gear.body(), shapes.pulley(at, gear.radius(), width));
+    }
+  }
+
+  private double gearWidth() {
+    return 0.5 * scene.gears().stream().mapToDouble(SceneGear::radius).min().orElse(0);
+  }
+
+  /** Returns whether a solid is what a gear wheel was cut from. */
+  private static boolean isBlank(SceneSolid solid, SceneGear gear) {
+    if (!(solid instanceof SceneSolid.Round round)) {
+      return false;
+    }
+    Point3 along = round.to().minus(round.from());
+    Point3 aside = BodySurfaces.centre(solid).minus(gear.centre());
+    return along.cross(gear.axis()).norm() < 1e-6 * along.norm()
+        && aside.cross(gear.axis()).norm() < 0.01 * gear.radius()
+        && Math.abs(round.radius() - gear.radius()) < 0.25 * gear.radius();
+  }
+
+  private void addBelt(SceneBelt belt) {
+    double width = 0.55 * gearWidth();
+    double thickness = 0.06 * Math.min(belt.first(), belt.second());
+    Mesh band = Solids.belt(belt.first(), belt.second(), belt.distance(), width, thickness);
+    add(
+        belt.body(),
+        Part.Role.BODY,
+        scene.bodyName(belt.body()),
+        Shape.of(band, belt.at()),
+        RUBBER);
+  }
+
+  /** Adds the pulleys, spheres and cylinders that a rope passes. */
+  private void addPassed(SceneRope rope) {
+    for (SceneRope.Stop stop : rope.stops()) {
+      if (stop instanceof SceneRope.Pulley pulley) {
+        int body = pulley.centre().body();
+        Point3 normal =
+            scene.pose(rope.plane().body()).turn(rope.plane().axes().turn(new Point3(0, 0, 1)));
+        BodyPose at = Solids.zAlong(scene.pose(body).turnBack(normal), pulley.centre().point());
+        double r = pulley.radius();
+        add(body, Part.Role.BODY, rope.name(), shapes.pulley(at, r, 0.4 * r), STEEL);
+      } else if (stop instanceof SceneRope.Around around) {
+        addAround(rope.name(), around);
+      }
+    }
+  }
+
+  /** Adds a shape that a rope goes around, as glass; several ropes may go around it. */
+  private void addAround(String rope, SceneRope.Around around) {
+    Anchor centre = around.centre();
+    if (!passed.add(List.of(centre, around.axis(), around.radius()))) {
+      return;
+    }
+    double r = around.radius();
+    boolean ball = around.axis().norm() == 0;
+    BodyPose at = ball ? Shapes.at(centre.point()) : Solids.zAlong(around.axis(), centre.point());
+    Shape shape =
+        ball
+            ? shapes.ball(centre.point(), r)
+            : around.inside()
+                ? shapes.tube(at, r, 1.2 * r, 0.6 * r)
+                : shapes.cylinder(at, r, 2.4 * r);
+    parts.add(
+        new Part(centre.body(), Part.Role.JOINT, rope, shape, STEEL, 0.5, Part.Finish.GLOSSY));
   }
 
   private void addTyre(int body, BodyPose at, double r) {
@@ -460,7 +562,7 @@ public final class Stage {
     double size = 0.035 * extent;
     for (SceneJoint joint : scene.joints()) {
       for (Anchor anchor : List.of(joint.first(), joint.second())) {
-        if (anchor.body() == Anchor.ROOT && !isOpen(joint)) {
+        if (anchor.body() == Anchor.ROOT && !isOpen(joint) && joint.type() != JointType.P) {
           addBody(
               Anchor.ROOT, shapes.block(Shapes.at(anchor.point()), new Point3(size, size, size)));
         }
@@ -478,7 +580,7 @@ public final class Stage {
     if (isOpen(joint)) {
       return;
     }
-    double r = 0.016 * extent;
+    double r = symbolSize(joint);
     Anchor first = joint.first();
     BodyPose along =
         joint.axis().norm() > 0
@@ -486,7 +588,16 @@ public final class Stage {
             : Shapes.at(first.point());
     switch (joint.type()) {
       case R -> addSymbol(joint, shapes.cylinder(along, r, 3.2 * r));
-      case P -> addSymbol(joint, shapes.block(along, new Point3(2 * r, 2 * r, 4 * r)));
+      case P -> {
+        // a block that slides with its body, on a guide from where it is at zero
+        BodyPose turned = scene.pose(joint.second().body());
+        Point3 axis = turned.turnBack(scene.pose(first.body()).turn(joint.axis()));
+        Shape block =
+            shapes.block(
+                Solids.zAlong(axis, joint.second().point()), new Point3(2 * r, 2 * r, 4 * r));
+        add(joint.second().body(), Part.Role.JOINT, joint.name(), block, JOINT);
+        links.add(new Strut(Strut.Kind.GUIDE, joint.name(), first, joint.second()));
+      }
       case C, H -> addSymbol(joint, shapes.tube(along, 0.6 * r, 1.1 * r, 4 * r));
       case S -> addSymbol(joint, shapes.ball(first.point(), 1.2 * r));
       case PL -> addSymbol(joint, shapes.block(along, new Point3(6 * r, 6 * r, 0.4 * r)));
@@ -506,6 +617,20 @@ public final class Stage {
         // nothing holds the body
       }
     }
+  }
+
+  /** Returns the size of a joint's symbol, m: less than of the wheel that it is in. */
+  private double symbolSize(SceneJoint joint) {
+    double size = 0.016 * extent;
+    for (SceneForce force : scene.forces()) {
+      if (force.isOfDisc()) {
+        Point3 centre = scene.world(force.anchors().get(0));
+        if (scene.world(joint.second()).minus(centre).norm() < force.radius()) {
+          size = Math.min(size, 0.12 * force.radius());
+        }
+      }
+    }
+    return size;
   }
 
   private void addSymbol(SceneJoint joint, Shape shape) {
@@ -543,8 +668,9 @@ public final class Stage {
         Anchor plane = constraint.anchors().get(1);
         addSurface(constraint.name(), plane, constraint.direction());
       }
-      // a rope; another coupling relates coordinates and is at no place
-      case COUPLING -> addRope(constraint.name(), constraint.anchors());
+      case COUPLING -> {
+        // a rope is drawn by its way; another coupling relates coordinates and is at no place
+      }
     }
   }
 
@@ -580,9 +706,11 @@ public final class Stage {
         addLink(Strut.Kind.DAMPER, force);
       }
       case DAMPER -> addLink(Strut.Kind.DAMPER, force);
-      case ROPE -> addRope(force.name(), force.anchors());
       case CONTACT -> {
-        if (force.direction().norm() > 0) {
+        boolean onRoad =
+            scene.roads().stream()
+                .anyMatch(road -> road.runners().contains(force.anchors().get(0)));
+        if (force.direction().norm() > 0 && !onRoad) {
           Anchor surface = force.anchors().get(1);
           Point3 normal = scene.pose(surface.body()).turnBack(force.direction());
           addSurface(force.name(), surface, normal);
@@ -591,12 +719,6 @@ public final class Stage {
       default -> {
         // drawn by its arrow, or in its joint
       }
-    }
-  }
-
-  private void addRope(String name, List<Anchor> passed) {
-    for (int i = 1; i < passed.size(); i++) {
-      links.add(new Strut(Strut.Kind.ROPE, name, passed.get(i - 1), passed.get(i)));
     }
   }
 

@@ -2,6 +2,7 @@ package org.mechservice.view.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A mechanism at the start of its run, with closed loops.
@@ -18,6 +19,9 @@ import java.util.List;
  * @param constraints what closes loops besides cut joints, in file order
  * @param forces what is applied besides gravity, in file order
  * @param gears wheels that couplings of joints stand for
+ * @param belts over pulleys that couplings of joints stand for
+ * @param ropes the ways of ropes, cables and muscles
+ * @param roads surfaces whose height changes
  * @param verdict what {@code mech check} says of the model
  */
 public record SceneDescription(
@@ -33,9 +37,15 @@ public record SceneDescription(
     List<SceneConstraint> constraints,
     List<SceneForce> forces,
     List<SceneGear> gears,
+    List<SceneBelt> belts,
+    List<SceneRope> ropes,
+    List<SceneRoad> roads,
     SceneVerdict verdict) {
   public SceneDescription {
     gears = List.copyOf(gears);
+    belts = List.copyOf(belts);
+    ropes = List.copyOf(ropes);
+    roads = List.copyOf(roads);
     rootSolids = List.copyOf(rootSolids);
     rootLooks = List.copyOf(rootLooks);
     bodies = List.copyOf(bodies);
@@ -44,7 +54,10 @@ public record SceneDescription(
     forces = List.copyOf(forces);
   }
 
-  /** Describes a mechanism without gears whose body at rest looks like what it consists of. */
+  /**
+   * Describes a mechanism without gears, ropes and roads whose body at rest looks like what it
+   * consists of.
+   */
   public SceneDescription(
       String name,
       String rootName,
@@ -70,6 +83,9 @@ public record SceneDescription(
         constraints,
         forces,
         List.of(),
+        List.of(),
+        List.of(),
+        List.of(),
         verdict);
   }
 
@@ -81,6 +97,11 @@ public record SceneDescription(
   /** Returns where an anchor is at the start, from the world's origin in world axes, m. */
   public Point3 world(Anchor anchor) {
     return pose(anchor.body()).toWorld(anchor.point());
+  }
+
+  /** Returns the rope with a name, if there is one. */
+  public Optional<SceneRope> rope(String name) {
+    return ropes.stream().filter(rope -> rope.name().equals(name)).findFirst();
   }
 
   /** Returns the name of a body or of the root. */

@@ -9,10 +9,12 @@ import org.mechservice.view.drawing.Ink;
 import org.mechservice.view.drawing.Pen;
 import org.mechservice.view.scene.Anchor;
 import org.mechservice.view.scene.Point3;
+import org.mechservice.view.scene.RopeWay;
 import org.mechservice.view.scene.SceneConstraint;
 import org.mechservice.view.scene.SceneDescription;
 import org.mechservice.view.scene.SceneForce;
 import org.mechservice.view.scene.SceneJoint;
+import org.mechservice.view.scene.SceneRope;
 
 /**
  * Draws what acts between bodies beside their joints: constraints and forces, each by its symbol
@@ -60,6 +62,10 @@ final class InteractionSketch {
         nameBetween(constraint.name(), CONSTRAINT, from, to);
       }
       case COUPLING -> {
+        if (scene.rope(constraint.name()).isPresent()) {
+          rope(constraint.name(), constraint.anchors(), CONSTRAINT);
+          return;
+        }
         List<Place> coupled = coupled(constraint);
         for (int i = 1; i < coupled.size(); i++) {
           forces.dashed(coupled.get(i - 1), coupled.get(i), CONSTRAINT);
@@ -224,13 +230,10 @@ final class InteractionSketch {
         names.name(force.name(), FORCE, false, List.of(at.get(0)), 17);
       }
       case CONTACT -> contact(force, at.get(0));
-      case ROPE, COUPLING -> {
+      case ROPE -> rope(force.name(), force.anchors(), FORCE);
+      case COUPLING -> {
         for (int i = 1; i < at.size(); i++) {
-          if (force.kind() == SceneForce.Kind.ROPE) {
-            forces.rod(at.get(i - 1), at.get(i), false, FORCE);
-          } else {
-            forces.dashed(at.get(i - 1), at.get(i), FORCE);
-          }
+          forces.dashed(at.get(i - 1), at.get(i), FORCE);
           names.avoid(at.get(i - 1).to(at.get(i)));
         }
         if (at.size() > 1) {
@@ -247,6 +250,46 @@ final class InteractionSketch {
         }
       }
     }
+  }
+
+  /** Draws a rope as it lies on what it passes, with its name. */
+  private void rope(String name, List<Anchor> anchors, Ink ink) {
+    SceneRope rope = scene.rope(name).orElseGet(() -> SceneRope.straight(name, anchors));
+    List<Place> longest = List.of();
+    for (List<Point3> line : RopeWay.of(rope, scene::pose)) {
+      List<Place> places = line.stream().map(layout::place).toList();
+      for (int i = 1; i < places.size(); i++) {
+        canvas.draw(JointSymbols.polygon(places.get(i - 1), places.get(i)), new Pen(ink, 1.6));
+        names.avoid(places.get(i - 1).to(places.get(i)));
+        if (longest.isEmpty()
+            || places.get(i).minus(places.get(i - 1)).length()
+                > longest.get(1).minus(longest.get(0)).length()) {
+          longest = List.of(places.get(i - 1), places.get(i));
+        }
+      }
+    }
+    for (SceneRope.Stop stop : rope.stops()) {
+      if (stop instanceof SceneRope.Pulley pulley) {
+        Point3 normal =
+            scene.pose(rope.plane().body()).turn(rope.plane().axes().turn(new Point3(0, 0, 1)));
+        round(pulley.centre(), normal, pulley.radius(), ink);
+      } else if (stop instanceof SceneRope.Around shape) {
+        Point3 axis = scene.pose(shape.centre().body()).turn(shape.axis());
+        round(shape.centre(), axis, shape.radius(), ink);
+      } else if (stop instanceof SceneRope.Eye eye) {
+        forces.dot(layout.place(eye.at()), ink);
+      }
+    }
+    if (!longest.isEmpty()) {
+      nameBetween(name, ink, longest.get(0), longest.get(1));
+    }
+  }
+
+  /** Draws the circle of a pulley or a cylinder, or that of a sphere: its axis is zero. */
+  private void round(Anchor centre, Point3 axis, double radius, Ink ink) {
+    Point3 inBody = scene.pose(centre.body()).turnBack(axis);
+    SceneConstraint.Wheel wheel = new SceneConstraint.Wheel(inBody, radius);
+    canvas.draw(rim(centre, wheel), new Pen(ink, 1.2));
   }
 
   /** Draws the sphere, disc or wheel and the part of the surface beneath it. */

@@ -1,5 +1,6 @@
 import { add, cross, dot, norm, scale, subtract, turned, turnedBack, unit } from './space.js';
 import { Motion, bytesOf, placed } from './recording.js';
+import { ropeLines } from './rope.js';
 import { ARROWS, MechanismScene } from './scene.js';
 import { Curves, short, unitOf, valueAt } from './curves.js';
 
@@ -153,6 +154,14 @@ export class Player {
           const pull = scale(unit(subtract(to, from)), this.motion.value(link.tension, frame));
           put(from, pull, 'force');
           put(to, scale(pull, -1), 'force');
+        }
+      }
+      for (const rope of this.data.ropes) {
+        for (const line of rope.tension < 0 ? [] : ropeLines(rope, poses)) {
+          const tension = this.motion.value(rope.tension, frame);
+          const last = line.length - 1;
+          put(line[0], scale(unit(subtract(line[1], line[0])), tension), 'force');
+          put(line[last], scale(unit(subtract(line[last - 1], line[last])), tension), 'force');
         }
       }
       for (const force of this.data.forces) {
@@ -981,7 +990,7 @@ export class Player {
     if (id === 'inertia') {
       return this.data.parts.some(part => part.role === 'INERTIA');
     }
-    return id !== 'forces' || this.data.links.some(link => link.tension >= 0)
+    return id !== 'forces' || [...this.data.links, ...this.data.ropes].some(link => link.tension >= 0)
       || this.data.forces.some(force => force.force >= 0 || force.normal >= 0);
   }
 

@@ -2,8 +2,9 @@
 
 import { THREE, OrbitControls, RoomEnvironment } from './three.js';
 import { placed } from './recording.js';
+import { ropeLines } from './rope.js';
 import { add, cross, dot, norm, scale, subtract, turned, unit } from './space.js';
-import { Coil, surface } from './surface.js';
+import { Coil, Tube, surface } from './surface.js';
 
 // Views: directions from which the mechanism is seen, as turn about the upward direction and height.
 const VIEWS = {
@@ -23,6 +24,9 @@ export const ARROWS = {
 const AXES = [0xd83c3c, 0x2e9e48, 0x3c6be0];
 const OUTLINE = 0xffa51f;
 const GHOST = 0.16;
+
+// Roles of what bodies run and lie on.
+const GROUNDS = ['SURFACE', 'ROAD'];
 
 const FLOOR_VERTEX = `
 varying vec2 place;
@@ -117,7 +121,7 @@ export class MechanismScene {
     this.selected = -2;
     this.changes = 0;
     this.slow = 0;
-    this.roles = { BODY: true, JOINT: true, SURFACE: true, INERTIA: false };
+    this.roles = { BODY: true, JOINT: true, SURFACE: true, ROAD: true, INERTIA: false };
     try {
       this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     } catch {
@@ -206,6 +210,7 @@ export class MechanismScene {
     this.boxes = this.bodyBoxes();
     this.makeFloor();
     this.makeLinks();
+    this.makeRopes();
     this.makeArrows();
     this.batch();
     this.paths = new Map();
@@ -229,7 +234,7 @@ export class MechanismScene {
 
   styleOf(item) {
     const style = this.styles.get(item.part.body) || 'shown';
-    return item.part.role === 'SURFACE' ? 'shown' : style;
+    return GROUNDS.includes(item.part.role) ? 'shown' : style;
   }
 
   // Draws all that has one surface and one material at once, however many bodies there are.
@@ -259,7 +264,7 @@ export class MechanismScene {
         this.surfaces[part.mesh], this.material(opacity, part.finish === 'DULL'), items.length);
       mesh.instanceMatrix.setUsage(THREE.DynamicDrawUsage);
       mesh.frustumCulled = false;
-      mesh.castShadow = opacity >= 1 && part.role !== 'SURFACE';
+      mesh.castShadow = opacity >= 1 && !GROUNDS.includes(part.role);
       mesh.receiveShadow = true;
       mesh.renderOrder = opacity < 1 ? 3 : 0;
       items.forEach((item, i) => mesh.setColorAt(i, item.colour));
@@ -267,7 +272,8 @@ export class MechanismScene {
       return { mesh, items };
     });
     this.makeMask();
-    this.links?.forEach(link => this.styleLink(link));
+    this.links?.forEach(link => this.styleLink(link, [link.link.from[0], link.link.to[0]]));
+    this.ropes?.forEach(rope => this.styleLink(rope, rope.rope.stops.map(stop => stop.at?.[0])));
   }
 
   // Links whose length changes: rods and ropes as cylinders, dampers as tubes, springs as coils.
@@ -299,8 +305,33 @@ export class MechanismScene {
     });
   }
 
-  styleLink(link) {
-    const ends = [link.link.from[0], link.link.to[0]].map(body => this.styles.get(body) || 'shown');
+  // Where a body is at the start.
+  start(body) {
+    const pose = body < 0 ? this.data.root : this.data.bodies[body].start;
+    return { p: pose.slice(0, 3), q: pose.slice(3) };
+  }
+
+  // Ropes, cables and muscles, each line of them a tube through points.
+  makeRopes() {
+    this.ropes = this.data.ropes.map(rope => {
+      const material = this.material(1, true);
+      material.color.set(rope.colour);
+      const tubes = ropeLines(rope, body => this.start(body))
+        .map(line => new Tube(line.length, rope.width * this.data.extent));
+      const meshes = tubes.map(tube => {
+        const mesh = new THREE.Mesh(tube.geometry, material);
+        mesh.castShadow = true;
+        mesh.receiveShadow = true;
+        mesh.frustumCulled = false;
+        this.world.add(mesh);
+        return mesh;
+      });
+      return { rope, material, meshes, tubes };
+    });
+  }
+
+  styleLink(link, bodies) {
+    const ends = bodies.map(body => this.styles.get(body) || 'shown');
     const hidden = ends.includes('hidden') || !this.roles.BODY;
     const ghost = ends.includes('ghost');
     link.meshes.forEach(mesh => { mesh.visible = !hidden; });
@@ -333,7 +364,7 @@ export class MechanismScene {
     const few = this.items.length <= 150;
     const place = new THREE.Vector3();
     for (const { part, local } of this.items) {
-      if (part.role === 'SURFACE' || part.role === 'INERTIA') {
+      if (GROUNDS.includes(part.role) || part.role === 'INERTIA') {
         continue;
       }
       const corners = all.get(part.body) || [];
@@ -361,11 +392,12 @@ export class MechanismScene {
         box.corners.forEach(corner => places.push({ body: box.body, place: add(pose.p, turned(pose.q, corner)) }));
       }
     }
-    for (const link of this.data.links) {
-      for (const end of [link.from, link.to]) {
-        if (body < 0 || end[0] === body) {
-          places.push({ body: end[0], place: placed(poses, end) });
-        }
+    const eyes = this.data.ropes.flatMap(({ stops }) =>
+      stops.filter(({ kind }) => kind === 'eye').map(({ at }) => at));
+    const ends = this.data.links.filter(({ kind }) => kind !== 'GUIDE').flatMap(({ from, to }) => [from, to]);
+    for (const end of [...ends, ...eyes]) {
+      if (body < 0 || end[0] === body) {
+        places.push({ body: end[0], place: placed(poses, end) });
       }
     }
     return places.filter(({ place }) => place.every(Number.isFinite));
@@ -412,8 +444,23 @@ export class MechanismScene {
       this.groundPart = ground;
       this.batch();
     }
-    this.floor = ground ? dot(ground.at.slice(0, 3), this.up) : lowest - 0.01 * extent;
+    const flat = ground ? dot(ground.at.slice(0, 3), this.up) : lowest - 0.01 * extent;
+    this.floor = Math.min(flat, ...this.items.filter(({ part }) => part.role === 'ROAD' && part.body < 0)
+      .map(item => this.lowest(item) - 0.002 * extent));
     this.layFloor();
+  }
+
+  // The height of the lowest point of a part that rests.
+  lowest({ part, local }) {
+    const { position } = this.surfaces[part.mesh].attributes;
+    const place = new THREE.Vector3();
+    const { p, q } = this.start(-1);
+    let least = Infinity;
+    for (let i = 0; i < position.count; i++) {
+      place.fromBufferAttribute(position, i).applyMatrix4(local);
+      least = Math.min(least, dot(add(p, turned(q, place.toArray())), this.up));
+    }
+    return least;
   }
 
   // ---- floor, light and colours ----
@@ -595,6 +642,9 @@ export class MechanismScene {
     }
     this.placeBodies(poses);
     this.placeLinks(poses);
+    for (const { rope, tubes } of this.ropes) {
+      ropeLines(rope, poses).forEach((line, i) => tubes[i].lead(line));
+    }
   }
 
   placeBodies(poses) {

@@ -101,3 +101,54 @@ export class Coil {
     this.places.needsUpdate = true;
   }
 }
+
+// A tube through points, round at every one of them; `lead` takes it along others.
+export class Tube {
+  constructor(count, radius) {
+    this.radius = radius;
+    this.around = 10;
+    const { around } = this;
+    const triangles = [];
+    for (let i = 1; i < count; i++) {
+      for (let j = 0; j < around; j++) {
+        const next = (j + 1) % around;
+        const [a, b] = [(i - 1) * around, i * around];
+        triangles.push(a + j, a + next, b + next, a + j, b + next, b + j);
+      }
+    }
+    this.geometry = new THREE.BufferGeometry();
+    this.places = new THREE.BufferAttribute(new Float32Array(3 * count * around), 3);
+    this.normals = new THREE.BufferAttribute(new Float32Array(3 * count * around), 3);
+    this.geometry.setAttribute('position', this.places.setUsage(THREE.DynamicDrawUsage));
+    this.geometry.setAttribute('normal', this.normals.setUsage(THREE.DynamicDrawUsage));
+    this.geometry.setIndex(triangles);
+  }
+
+  lead(points) {
+    const { around, radius } = this;
+    let side = [0, 0, 0];
+    let tangent = [0, 0, 1];
+    points.forEach((point, i) => {
+      const before = points[Math.max(0, i - 1)];
+      const behind = points[Math.min(points.length - 1, i + 1)];
+      const [came, goes] = [unit(subtract(point, before)), unit(subtract(behind, point))];
+      const way = unit([0, 1, 2].map(k => came[k] + goes[k]));
+      tangent = norm(way) > 0 ? way : tangent;
+      side = unit(subtract(side, tangent.map(x => x * dot(side, tangent))));
+      if (norm(side) === 0) {
+        side = unit(cross(tangent, Math.abs(tangent[0]) < 0.8 ? [1, 0, 0] : [0, 1, 0]));
+      }
+      const other = cross(tangent, side);
+      for (let j = 0; j < around; j++) {
+        const angle = 2 * Math.PI * j / around;
+        for (let k = 0; k < 3; k++) {
+          const out = Math.cos(angle) * side[k] + Math.sin(angle) * other[k];
+          this.normals.array[3 * (i * around + j) + k] = out;
+          this.places.array[3 * (i * around + j) + k] = point[k] + radius * out;
+        }
+      }
+    });
+    this.places.needsUpdate = true;
+    this.normals.needsUpdate = true;
+  }
+}

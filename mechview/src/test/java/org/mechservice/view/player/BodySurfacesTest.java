@@ -44,7 +44,7 @@ class BodySurfacesTest {
 
   private static List<Part> drawn(Path folder, SceneSolid... solids) {
     return new Stage(scene(solids), new MeshFolder(folder))
-        .parts().stream()
+        .parts(new Recording()).stream()
             .filter(part -> part.body() == 0 && part.role() == Part.Role.BODY)
             .toList();
   }
@@ -112,7 +112,8 @@ class BodySurfacesTest {
         .singleElement()
         .asString()
         .startsWith("a solid of body bar is not drawn: graphSrc \"lost.stl\"");
-    assertThat(stage.parts()).anyMatch(part -> part.body() == 0 && part.role() == Part.Role.BODY);
+    assertThat(stage.parts(new Recording()))
+        .anyMatch(part -> part.body() == 0 && part.role() == Part.Role.BODY);
   }
 
   @Test

@@ -166,6 +166,7 @@ class PlayerPageTest {
         .singleElement()
         .asString()
         .startsWith("body bar is drawn as a simple shape: graphSrc \"bar.wrl\"");
-    assertThat(stage.parts()).anyMatch(part -> part.body() == 0 && part.role() == Part.Role.BODY);
+    assertThat(stage.parts(new Recording()))
+        .anyMatch(part -> part.body() == 0 && part.role() == Part.Role.BODY);
   }
 }

@@ -3,6 +3,7 @@ package org.mechservice.mechml.resolve.force;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.mechml.Road;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
@@ -39,6 +40,12 @@ final class ContactReader {
   /** Returns the height of a surface over the plane of its carrier; empty after an error. */
   Optional<Expression> height(Element element) {
     return height(element, element.requiredChild("body1"));
+  }
+
+  /** Returns the surface with its height; empty after an error. */
+  Optional<Road> road(Element element) {
+    Optional<BodyFrame> frame = frames.read(element.requiredChild("body1"));
+    return height(element).flatMap(height -> frame.map(axes -> new Road(axes, height)));
   }
 
   /** Returns the contact; empty after a reported error. */

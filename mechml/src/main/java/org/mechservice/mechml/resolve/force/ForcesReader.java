@@ -2,10 +2,13 @@ package org.mechservice.mechml.resolve.force;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.mechservice.mechml.Road;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -75,6 +78,26 @@ public final class ForcesReader {
       }
     }
     return forces;
+  }
+
+  /**
+   * Returns the surfaces of contacts and tyres whose height changes, by the names of their
+   * elements; to be called for a file without errors.
+   */
+  public static Map<String, Road> roads(
+      Element model,
+      ValueReader values,
+      FormulaReader formulas,
+      MechanismNames names,
+      Diagnostics diagnostics) {
+    ContactReader contacts = new ContactReader(values, formulas, names, diagnostics);
+    Map<String, Road> roads = new HashMap<>();
+    for (Element force : model.child("Forces").map(Element::children).orElse(List.of())) {
+      if (force.attribute("height").isPresent() || force.child("profile").isPresent()) {
+        contacts.road(force).ifPresent(road -> roads.put(force.required("name"), road));
+      }
+    }
+    return roads;
   }
 
   /** Returns the forces of an element; a coupling with backlash has two. */

@@ -1,9 +1,12 @@
 package org.mechservice.mechml.resolve.formula;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.mechservice.mechml.Route;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
@@ -110,9 +113,49 @@ public final class RopeReader {
       return isPulley() && turns.equals(Expression.ZERO);
     }
 
+    /** Returns what pictures show of it. */
+    Route.Stop passed() {
+      if (shape.isPresent()) {
+        WrapSection.Shape round = shape.get();
+        return new Route.Around(centre, round.axis(), round.radius(), round.side(), round.inside());
+      } else if (share.isPresent()) {
+        return new Route.Branch();
+      }
+      return isEye()
+          ? new Route.Eye(centre)
+          : new Route.Pulley(centre, radius, isLeft(), !canBeLeft());
+    }
+
     boolean isPulley() {
       return !isEye() && shape.isEmpty() && share.isEmpty();
     }
+  }
+
+  /**
+   * Returns what the ropes, cables and muscles of a model pass, by their names; to be called for a
+   * file without errors.
+   */
+  public Map<String, Route> routes(Element model) {
+    Map<String, Route> routes = new HashMap<>();
+    for (String section : List.of("Constraints", "Forces")) {
+      for (Element element : model.child(section).map(Element::children).orElse(List.of())) {
+        if (!element.children("via").isEmpty()) {
+          routes.put(element.required("name"), route(element));
+        }
+      }
+    }
+    return routes;
+  }
+
+  private Route route(Element element) {
+    List<Route.Stop> stops = new ArrayList<>();
+    for (Element child : element.children()) {
+      if (STOPS.contains(child.name())) {
+        stop(child).map(Stop::passed).ifPresent(stops::add);
+      }
+    }
+    Optional<BodyFrame> plane = element.child("plane").flatMap(this::frame);
+    return new Route(stops, plane, element.name().equals("muscle"));
   }
 
   /** Returns the rope of an element; empty after a reported error. */
