@@ -11,7 +11,10 @@ import java.util.Map;
 import java.util.Objects;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.admin.web.Chromium;
 import org.mechservice.load.SoakPage;
 
@@ -20,7 +23,6 @@ import org.mechservice.load.SoakPage;
  * the clock's, and without the painting of triangles, which another process of the browser does: on
  * a graphics card, or by the processor where there is none.
  */
-@Tag("soak")
 class PlayerFramesTest {
   private static final double FRAME_MS = 1000.0 / 60;
   private static final List<String> ALL =
@@ -46,6 +48,8 @@ class PlayerFramesTest {
       }
       """;
 
+  @RegisterExtension static final InstalledBrowser BROWSER = new InstalledBrowser();
+
   @TempDir Path folder;
 
   private static Map<String, Double> spent(Chromium browser) throws Exception {
@@ -65,6 +69,22 @@ class PlayerFramesTest {
     return 1000 * seconds / FRAMES;
   }
 
+  /** 60 pictures a second leave 16.7 ms, of which the script of the page takes a part. */
+  @ValueSource(strings = {"driver/driver-c0", "extremes/chain_1000"})
+  @ParameterizedTest
+  void scriptOfAPictureTakesLessThanASixtiethOfASecond(String model) throws Exception {
+    Chromium browser = BROWSER.get();
+    browser.look(400, 400, false);
+    browser.call("Performance.enable", Map.of("timeDomain", "threadTicks"));
+    Path file = Path.of("..", "examples", model + ".xml");
+    browser.open(PlayerInBrowserTest.view(file, folder));
+    browser.evaluate(ONE_TRIANGLE);
+    Spent spent = measure(browser);
+    System.out.printf("%s: script of a picture %.2f ms%n", model, spent.script());
+    assertThat(spent.script()).isPositive().isLessThan(FRAME_MS);
+  }
+
+  @Tag("soak")
   @Test
   void pictureOfTheDriverTakesAFractionOfASixtiethOfASecond() throws Exception {
     SoakPage page =
@@ -83,44 +103,66 @@ class PlayerFramesTest {
             0);
     page.line("| scene | shown | script | layout and styles | whole thread | share of 16.7 ms |");
     page.line("|---|---|---|---|---|---|");
-    try (Chromium browser = Chromium.start(folder.resolve("profile")).orElseThrow()) {
-      browser.look(400, 400, false);
-      browser.call("Performance.enable", Map.of("timeDomain", "threadTicks"));
-      for (String model :
-          List.of(
-              "pendulum/pendulum",
-              "five-point-suspension/five-point-suspension",
-              "driver/driver-c0",
-              "benchmarks/bouncing_ball")) {
-        Path file = Path.of("..", "examples", model + ".xml");
-        browser.open(PlayerInBrowserTest.view(file, folder));
-        browser.evaluate(ONE_TRIANGLE);
-        measure(browser, page, model, "usual");
-        for (String toggle : ALL) {
-          browser.evaluate("document.getElementById('show-" + toggle + "')?.click()");
-        }
-        measure(browser, page, model, "all");
+    Chromium browser = BROWSER.get();
+    browser.look(400, 400, false);
+    browser.call("Performance.enable", Map.of("timeDomain", "threadTicks"));
+    for (String model :
+        List.of(
+            "pendulum/pendulum",
+            "five-point-suspension/five-point-suspension",
+            "driver/driver-c0",
+            "extremes/chain_1000",
+            "benchmarks/bouncing_ball")) {
+      Path file = Path.of("..", "examples", model + ".xml");
+      browser.open(PlayerInBrowserTest.view(file, folder));
+      browser.evaluate(ONE_TRIANGLE);
+      measure(browser, page, model, "usual");
+      for (String toggle : ALL) {
+        browser.evaluate("document.getElementById('show-" + toggle + "')?.click()");
       }
+      measure(browser, page, model, "all");
     }
     page.write("player-frames.md");
   }
 
-  private static void measure(Chromium browser, SoakPage page, String model, String shown)
-      throws Exception {
+  /**
+   * Processor time of one picture, ms.
+   *
+   * @param script of the page
+   * @param layout and styles
+   * @param thread all that its thread does
+   */
+  private record Spent(double script, double layout, double thread) {}
+
+  private static Spent measure(Chromium browser) throws Exception {
     browser.evaluate(TEN_PICTURES);
     Map<String, Double> before = spent(browser);
     for (int seen = 0; seen < FRAMES; seen += 10) {
       browser.evaluate(TEN_PICTURES);
     }
     Map<String, Double> after = spent(browser);
-    double script = each("ScriptDuration", before, after);
-    double layout =
-        each("LayoutDuration", before, after) + each("RecalcStyleDuration", before, after);
-    double thread = each("TaskDuration", before, after);
+    return new Spent(
+        each("ScriptDuration", before, after),
+        each("LayoutDuration", before, after) + each("RecalcStyleDuration", before, after),
+        each("TaskDuration", before, after));
+  }
+
+  private static void measure(Chromium browser, SoakPage page, String model, String shown)
+      throws Exception {
+    Spent spent = measure(browser);
     page.line(
         "| %s | %s | %.2f | %.2f | %.2f | %.0f %% |",
-        model.replaceFirst(".*/", ""), shown, script, layout, thread, 100 * thread / FRAME_MS);
-    // Half a frame is left to the browser; a machine of half this speed still keeps the 60.
-    assertThat(script + layout).as(model).isLessThan(FRAME_MS / 2);
+        model.replaceFirst(".*/", ""),
+        shown,
+        spent.script(),
+        spent.layout(),
+        spent.thread(),
+        100 * spent.thread() / FRAME_MS);
+    // Half a frame is left to the browser; a machine of half this speed still keeps the 60. What
+    // shows the forces and names of 1 000 bodies may take the whole of it.
+    boolean many = model.startsWith("extremes") && shown.equals("all");
+    assertThat(spent.script() + spent.layout())
+        .as(model + " " + shown)
+        .isLessThan(many ? FRAME_MS : FRAME_MS / 2);
   }
 }

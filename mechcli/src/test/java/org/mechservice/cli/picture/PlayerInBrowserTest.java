@@ -159,6 +159,31 @@ class PlayerInBrowserTest {
     requireQuiet(browser, page);
   }
 
+  /** The ways that the page draws are as long as those of the run, but for the chords of arcs. */
+  @Test
+  void ropesAreAsLongAsInTheRun() throws Exception {
+    Chromium browser = BROWSER.get();
+    Path page = view(Path.of("..", "examples", "elements", "pathForce.xml"));
+    browser.open(page);
+    browser.press(" ");
+    // on the cylinder of 50 mm an arc of less than a quarter turn, in 16 chords: R θ³/(24 · 16²)
+    double chords = 0.05 * Math.pow(Math.PI / 2, 3) / (24 * 256);
+    for (String time : new String[] {"0", "0.25", "0.5", "0.75", "1"}) {
+      double[] cable =
+          browser.numbers(
+              "(mechPlayer.seek("
+                  + time
+                  + "), [mechPlayer.ropeLength('cable')[0], mechPlayer.value('cable.length')])");
+      assertThat(cable[0]).as("cable at " + time).isCloseTo(cable[1], offset(chords));
+      double[] cord =
+          browser.numbers(
+              "[...mechPlayer.ropeLength('cord'), mechPlayer.value('cord.length')]");
+      // half of what is behind the branch counts; poses in the page have seven digits
+      assertThat(cord[0] + 0.5 * cord[1]).as("cord at " + time).isCloseTo(cord[2], offset(1e-6));
+    }
+    requireQuiet(browser, page);
+  }
+
   @Test
   void thousandBodiesAreDrawnByAFewCalls() throws Exception {
     Chromium browser = BROWSER.get();

@@ -97,7 +97,9 @@ public record Film(
               + new Gson().toJson(show)
               + ")");
       if (ending(target).endsWith(STILL)) {
-        Files.write(target, picture(browser, at.orElse((from + to) / 2), "image/png"));
+        double moment = at.orElse((from + to) / 2);
+        browser.evaluate("mechPlayer.aim(" + moment + ")");
+        Files.write(target, picture(browser, moment, "image/png"));
       } else {
         film(browser, from, to, target);
       }

@@ -219,18 +219,23 @@ export class Player {
   }
 
   drawArrows(frame, poses) {
-    const on = this.arrowScale > 0 && (this.shown.forces || this.shown.reactions);
-    if (!on && !this.arrowsDrawn) {
-      return;
+    const arrows = this.arrows(frame, poses);
+    if (arrows || this.arrowsDrawn) {
+      this.arrowsDrawn = Boolean(arrows);
+      this.scene.drawArrows(arrows || []);
     }
-    this.arrowsDrawn = on;
+  }
+
+  // The arrows that are shown, if any are asked for.
+  arrows(frame, poses) {
+    if (this.arrowScale <= 0 || !(this.shown.forces || this.shown.reactions)) {
+      return undefined;
+    }
     const longest = 0.8 * this.data.extent;
-    const arrows = !on ? []
-      : this.forces(frame, poses, this.shown.forces, this.shown.reactions).map(({ at, force, kind }) => {
-        const length = norm(force) * this.perNewton();
-        return { at, kind, along: scale(force, Math.min(length, longest) / norm(force)) };
-      });
-    this.scene.drawArrows(arrows);
+    return this.forces(frame, poses, this.shown.forces, this.shown.reactions).map(({ at, force, kind }) => {
+      const length = norm(force) * this.perNewton();
+      return { at, kind, along: scale(force, Math.min(length, longest) / norm(force)) };
+    });
   }
 
   // What the colours of the arrows mean, and how long they are.
@@ -1080,6 +1085,15 @@ export class Player {
     this.scene.place(this.poses(), this.follow);
   }
 
+  // Fits the camera to the mechanism at a time, for a picture of it alone. Traces are seen whole.
+  aim(time) {
+    this.seek(time);
+    if (!this.shown.traces) {
+      const arrows = this.arrows(this.motion.frame(time), this.poses()) || [];
+      this.scene.fitNow(this.poses(), arrows.map(({ at, along }) => add(at, along)));
+    }
+  }
+
   // The picture at a time, in a size, as PNG or JPEG in Base64.
   still(time, width, height, type = 'image/png') {
     this.play(false);
@@ -1103,12 +1117,17 @@ export class Player {
     return {
       frameTimes: () => this.frameTimes.slice(),
       prepare: (...how) => this.prepare(...how),
+      aim: time => this.aim(time),
       still: (...how) => this.still(...how),
       look: view => this.look(view),
       room: () => this.scene.room(),
       last: name => this.motion.column(this.place(name))[this.motion.count - 1],
       charts: () => this.charts.map(chart => chart.columns.map(column => column.name)),
       ranges: () => this.charts.map(chart => [chart.curves.least, chart.curves.most]),
+      ropeLength: name => ropeLines(this.data.ropes.find(rope => rope.name === name), this.poses())
+        .map(line => line.slice(1).reduce((sum, point, i) => sum + norm(subtract(point, line[i])), 0)),
+      value: name => this.motion.value(this.place(name), this.motion.frame(this.time)),
+      seek: time => this.seek(time),
       drawn: () => ({ ...this.scene.renderer.info.render }),
       project: body => this.scene.project(this.poses()(body).p),
       selected: () => this.selected,

@@ -347,7 +347,9 @@ export class MechanismScene {
     const most = Math.max(16, 3 * (this.data.joints.length + this.data.links.length + this.data.forces.length));
     this.shafts = new THREE.InstancedMesh(shaft, shape, most);
     this.tips = new THREE.InstancedMesh(tip, shape, most);
-    for (const mesh of [this.shafts, this.tips]) {
+    // where bodies touch
+    this.touches = new THREE.InstancedMesh(new THREE.SphereGeometry(1, 20, 12), shape, most);
+    for (const mesh of [this.shafts, this.tips, this.touches]) {
       mesh.frustumCulled = false;
       mesh.renderOrder = 5;
       mesh.count = 0;
@@ -444,7 +446,11 @@ export class MechanismScene {
       this.groundPart = ground;
       this.batch();
     }
-    const flat = ground ? dot(ground.at.slice(0, 3), this.up) : lowest - 0.01 * extent;
+    // what rests on its foot does not stand in the air, though some of it may go below
+    const [foot, others] = [true, false].map(rests => range(first.filter(({ body }) => (body < 0) === rests)
+      .map(({ place }) => dot(place, this.up)))[0]);
+    const lowestOfAll = foot < others + 0.01 * extent ? foot : lowest - 0.01 * extent;
+    const flat = ground ? dot(ground.at.slice(0, 3), this.up) : lowestOfAll;
     this.floor = Math.min(flat, ...this.items.filter(({ part }) => part.role === 'ROAD' && part.body < 0)
       .map(item => this.lowest(item) - 0.002 * extent));
     this.layFloor();
@@ -580,6 +586,16 @@ export class MechanismScene {
     this.controls.update();
   }
 
+  // Shows the mechanism as it is now, with some further places; what travels is shown already.
+  fitNow(poses, further) {
+    if (this.works && !this.travels) {
+      this.size();
+      this.fitPlaces([...this.places(poses).map(({ place }) => place), ...further]);
+      this.changes++;
+    }
+  }
+
+  // Shows what the mechanism sweeps, or a body.
   fit(poses, body = -2) {
     if (!this.works) {
       return;
@@ -702,8 +718,16 @@ export class MechanismScene {
     const z = new THREE.Vector3(0, 0, 1);
     const colour = new THREE.Color();
     let count = 0;
+    let touches = 0;
     for (const { at, along, kind } of arrows) {
       const length = norm(along);
+      if (kind === 'contact' && length > 0 && touches < this.touches.instanceMatrix.count) {
+        const r = 0.012 * extent;
+        matrix.makeScale(r, r, r).setPosition(...at);
+        this.touches.setMatrixAt(touches, matrix);
+        this.touches.setColorAt(touches, colour.set(ARROWS.contact.colour));
+        touches++;
+      }
       if (length < 0.004 * extent || count >= this.shafts.instanceMatrix.count) {
         continue;
       }
@@ -721,9 +745,9 @@ export class MechanismScene {
       this.tips.setColorAt(count, colour);
       count++;
     }
-    for (const mesh of [this.shafts, this.tips]) {
-      mesh.count = count;
-      mesh.visible = count > 0;
+    for (const [mesh, drawn] of [[this.shafts, count], [this.tips, count], [this.touches, touches]]) {
+      mesh.count = drawn;
+      mesh.visible = drawn > 0;
       mesh.instanceMatrix.needsUpdate = true;
       mesh.instanceColor.needsUpdate = true;
     }
