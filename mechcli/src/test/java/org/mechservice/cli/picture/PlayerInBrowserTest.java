@@ -176,8 +176,7 @@ class PlayerInBrowserTest {
                   + "), [mechPlayer.ropeLength('cable')[0], mechPlayer.value('cable.length')])");
       assertThat(cable[0]).as("cable at " + time).isCloseTo(cable[1], offset(chords));
       double[] cord =
-          browser.numbers(
-              "[...mechPlayer.ropeLength('cord'), mechPlayer.value('cord.length')]");
+          browser.numbers("[...mechPlayer.ropeLength('cord'), mechPlayer.value('cord.length')]");
       // half of what is behind the branch counts; poses in the page have seven digits
       assertThat(cord[0] + 0.5 * cord[1]).as("cord at " + time).isCloseTo(cord[2], offset(1e-6));
     }

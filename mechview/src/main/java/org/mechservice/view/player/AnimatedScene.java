@@ -7,6 +7,7 @@ import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
@@ -19,7 +20,9 @@ import org.mechservice.view.mesh.Solids;
 import org.mechservice.view.scene.Anchor;
 import org.mechservice.view.scene.BodyPose;
 import org.mechservice.view.scene.Point3;
+import org.mechservice.view.scene.RopeWay;
 import org.mechservice.view.scene.SceneDescription;
+import org.mechservice.view.scene.SceneRope;
 
 /**
  * A run as animated glTF 2.0 in one binary file (GLB), for Blender, browsers and office programs.
@@ -86,6 +89,7 @@ public final class AnimatedScene {
       children.add(animated);
     }
     stage.links().forEach(link -> children.add(link(link)));
+    scene.ropes().forEach(rope -> rope(rope, children));
     JsonObject top = new JsonObject();
     top.addProperty("name", scene.name());
     top.add("rotation", numbers(upright()));
@@ -212,18 +216,50 @@ public final class AnimatedScene {
   }
 
   private int link(Strut link) {
+    return rod(
+        link.name(), link.kind(), frame -> end(frame, link.from()), frame -> end(frame, link.to()));
+  }
+
+  /** Adds the rods that a rope is drawn as, from point to point of its way. */
+  private void rope(SceneRope rope, JsonArray children) {
+    List<List<List<Point3>>> ways = new ArrayList<>();
+    for (int frame = 0; frame < recording.frameCount(); frame++) {
+      int now = frame;
+      ways.add(RopeWay.of(rope, body -> pose(now, body)));
+    }
+    Strut.Kind kind = rope.muscle() ? Strut.Kind.MUSCLE : Strut.Kind.ROPE;
+    for (int i = 0; i < ways.get(0).size(); i++) {
+      int line = i;
+      for (int k = 1; k < ways.get(0).get(i).size(); k++) {
+        int point = k;
+        children.add(
+            rod(
+                rope.name(),
+                kind,
+                frame -> ways.get(frame).get(line).get(point - 1),
+                frame -> ways.get(frame).get(line).get(point)));
+      }
+    }
+  }
+
+  /** Adds a rod between two points in each frame. */
+  private int rod(String name, Strut.Kind kind, IntFunction<Point3> from, IntFunction<Point3> to) {
     JsonObject node = new JsonObject();
-    node.addProperty("name", link.name());
+    node.addProperty("name", name);
     Mesh rod =
-        linkSurfaces.computeIfAbsent(
-            link.kind(), kind -> Solids.cylinder(kind.width() * stage.extent(), 1));
-    node.addProperty("mesh", mesh(link.name(), rod, link.kind().colour(), 1));
+        linkSurfaces.computeIfAbsent(kind, key -> Solids.cylinder(key.width() * stage.extent(), 1));
+    node.addProperty("mesh", mesh(name, rod, kind.colour(), 1));
     nodes.add(node);
     int index = nodes.size() - 1;
-    animate(index, "translation", 3, frame -> vector(middle(frame, link)));
-    animate(index, "rotation", 4, rotations(frame -> along(frame, link)));
+    IntFunction<Point3> span = frame -> to.apply(frame).minus(from.apply(frame));
     animate(
-        index, "scale", 3, frame -> new double[] {1, 1, Math.max(1e-9, span(frame, link).norm())});
+        index,
+        "translation",
+        3,
+        frame -> vector(from.apply(frame).plus(span.apply(frame).times(0.5))));
+    animate(index, "rotation", 4, rotations(frame -> along(span.apply(frame))));
+    animate(
+        index, "scale", 3, frame -> new double[] {1, 1, Math.max(1e-9, span.apply(frame).norm())});
     return index;
   }
 
@@ -231,16 +267,7 @@ public final class AnimatedScene {
     return pose(frame, anchor.body()).toWorld(anchor.point());
   }
 
-  private Point3 span(int frame, Strut link) {
-    return end(frame, link.to()).minus(end(frame, link.from()));
-  }
-
-  private Point3 middle(int frame, Strut link) {
-    return end(frame, link.to()).plus(end(frame, link.from())).times(0.5);
-  }
-
-  private BodyPose along(int frame, Strut link) {
-    Point3 span = span(frame, link);
+  private static BodyPose along(Point3 span) {
     double length = span.norm();
     return length > 0 ? Solids.zAlong(span.times(1 / length), Point3.ZERO) : BodyPose.WORLD;
   }
