@@ -105,22 +105,36 @@ final class SceneGears {
   /** Returns the direction of one tooth of each wheel that meshes. */
   private Map<Integer, Point3> teeth(double pitch) {
     Map<Integer, Point3> teeth = new HashMap<>();
-    for (int round = 0; round <= meshes.size(); round++) {
+    for (Mesh mesh : meshes) {
+      Wheel first = wheels.get(mesh.first());
+      if (first != null && !teeth.containsKey(first.body())) {
+        teeth.put(first.body(), across(first.axis()));
+        spread(teeth, pitch);
+      }
+    }
+    return teeth;
+  }
+
+  /** Adds the teeth of all wheels that mesh with known ones, directly or by others. */
+  private void spread(Map<Integer, Point3> teeth, double pitch) {
+    int before;
+    do {
+      before = teeth.size();
       for (Mesh mesh : meshes) {
         Wheel one = wheels.get(mesh.first());
         Wheel other = wheels.get(mesh.second());
         if (one == null || other == null) {
           continue;
         }
-        if (teeth.containsKey(other.body()) && !teeth.containsKey(one.body())) {
-          teeth.put(one.body(), opposite(other, teeth.get(other.body()), one, pitch));
-        } else {
-          Point3 first = teeth.computeIfAbsent(one.body(), key -> across(one.axis()));
-          teeth.computeIfAbsent(other.body(), key -> opposite(one, first, other, pitch));
+        Point3 first = teeth.get(one.body());
+        Point3 second = teeth.get(other.body());
+        if (first != null && second == null) {
+          teeth.put(other.body(), opposite(one, first, other, pitch));
+        } else if (second != null && first == null) {
+          teeth.put(one.body(), opposite(other, second, one, pitch));
         }
       }
-    }
-    return teeth;
+    } while (teeth.size() > before);
   }
 
   /** Returns the direction of a tooth of the other wheel beside the teeth of one. */
