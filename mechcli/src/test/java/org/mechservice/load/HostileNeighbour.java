@@ -35,6 +35,10 @@ final class HostileNeighbour {
   private static final long BOMB_MILLIS = 20_000;
 
   private static final int SESSIONS = 60;
+
+  /** As many as she may have without those of her other attacks. */
+  private static final int RUNS = 56;
+
   private static final long PAUSE_MILLIS = 50;
 
   private static final NameValue[] ENDLESS = {
@@ -190,10 +194,11 @@ final class HostileNeighbour {
         session -> {
           IMechSimRemote run = session.createSimulation(ENDLESS, null);
           run.start();
-          for (int i = 0; i < 10; i++) {
+          for (int i = 0; i < 10; ) {
             Thread.sleep(1000);
-            if (run.getProgress().state == SimState.SIM_RUNNING) {
+            if (run.getProgress().state == SimState.SIM_RUNNING) { // it may wait for a place before
               ran.incrementAndGet();
+              i++;
             }
           }
         });
@@ -259,12 +264,10 @@ final class HostileNeighbour {
     try {
       byte[] model = Files.readAllBytes(Runs.PENDULUM);
       session.loadModel(new ModelFile("pendulum.xml", model), new ModelFile[0]);
-      while (true) {
-        IMechSimRemote run = session.createSimulation(ENDLESS, null);
-        run.start();
+      for (int i = 0; i < RUNS; i++) {
+        session.createSimulation(ENDLESS, null).start();
         session.renewLease();
       }
-    } catch (org.omg.CORBA.UserException full) {
       for (int i = 0; i < 30; i++) {
         Thread.sleep(1000);
         session.renewLease();
