@@ -23,7 +23,6 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Predicate;
-import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.mechservice.idl.CurveSample;
@@ -48,6 +47,11 @@ import org.slf4j.LoggerFactory;
 public final class RunStore implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(RunStore.class);
 
+  /** What reads the record of a run. */
+  interface Reading {
+    RunRecord read() throws IOException;
+  }
+
   /**
    * A run that is kept after the end of its session.
    *
@@ -56,8 +60,7 @@ public final class RunStore implements AutoCloseable {
    * @param rows its rows
    * @param record reads the rest of it
    */
-  public record Kept(
-      RunIdentity identity, SimSummary summary, ResultSpool rows, Supplier<RunRecord> record) {
+  public record Kept(RunIdentity identity, SimSummary summary, ResultSpool rows, Reading record) {
 
     /** Returns when it is deleted; UTC, ms since 1970-01-01. */
     long until() {
@@ -67,10 +70,10 @@ public final class RunStore implements AutoCloseable {
     /**
      * Returns its record.
      *
-     * @throws UncheckedIOException if it cannot be read any more
+     * @throws IOException if it cannot be read any more
      */
-    public RunRecord run() {
-      return record.get();
+    public RunRecord run() throws IOException {
+      return record.read();
     }
   }
 
@@ -281,7 +284,7 @@ public final class RunStore implements AutoCloseable {
   }
 
   /** Returns what reads the record of a run: on disk if it is large and there is a folder. */
-  private Supplier<RunRecord> reading(RunRecord run) {
+  private Reading reading(RunRecord run) {
     if (folder.isEmpty() || run.size() <= SMALL_RECORD) {
       RunRecord remains = shortened(run);
       return () -> remains;
@@ -292,14 +295,14 @@ public final class RunStore implements AutoCloseable {
   }
 
   /** Reads a record in the disk thread, after all that is being written. */
-  private RunRecord readBack(String simId) {
+  private RunRecord readBack(String simId) throws IOException {
     try {
       return disk.submit(() -> folder.orElseThrow().read(simId)).get();
     } catch (ExecutionException e) {
-      throw new UncheckedIOException(new IOException(e.getCause().getMessage(), e));
+      throw e.getCause() instanceof IOException why ? why : new IOException(e);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new UncheckedIOException(new InterruptedIOException("the host is closing"));
+      throw new InterruptedIOException("the host is closing");
     }
   }
 
@@ -384,11 +387,11 @@ public final class RunStore implements AutoCloseable {
   private static Optional<RunRecord> read(Kept run) {
     try {
       return Optional.of(run.run());
-    } catch (UncheckedIOException e) {
+    } catch (IOException e) {
       LOG.warn(
           MessageCode.RESULTS_NOT_KEPT + " the record of run {} cannot be read: {}",
           run.identity().simId(),
-          FileErrors.reason(e.getCause()));
+          FileErrors.reason(e));
       return Optional.empty();
     }
   }

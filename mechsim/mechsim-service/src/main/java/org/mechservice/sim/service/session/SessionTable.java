@@ -1,6 +1,6 @@
 package org.mechservice.sim.service.session;
 
-import java.io.UncheckedIOException;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -315,12 +315,12 @@ public final class SessionTable implements AutoCloseable {
   private static RunRecord record(RunStore.Kept kept) throws NotFound {
     try {
       return kept.run();
-    } catch (UncheckedIOException e) {
+    } catch (IOException e) {
       throw ContractErrors.notFound(
           "the record of simulation "
               + kept.identity().simId()
               + " cannot be read: "
-              + FileErrors.reason(e.getCause()));
+              + FileErrors.reason(e));
     }
   }
 

@@ -3,7 +3,7 @@ package org.mechservice.sim.service.results;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.UncheckedIOException;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -92,7 +92,7 @@ class RunStoreTest {
       assertThat(kept.run().identity()).isEqualTo(run.identity());
       assertThat(kept.run().curves()).hasSize(1);
       Files.delete(folder.resolve("a.json"));
-      assertThatThrownBy(kept::run).isInstanceOf(UncheckedIOException.class);
+      assertThatThrownBy(kept::run).isInstanceOf(IOException.class);
       assertThat(store.known("a")).isEmpty();
     }
   }

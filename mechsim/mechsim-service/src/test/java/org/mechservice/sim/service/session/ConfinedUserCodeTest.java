@@ -153,7 +153,10 @@ class ConfinedUserCodeTest {
       ModelFile force = new ModelFile("car/Push.java", text.getBytes(StandardCharsets.UTF_8));
       session.loadModel(new ModelFile("pushed.xml", PushedCart.file()), new ModelFile[] {force});
       Thread client =
-          new Thread(() -> catchThrowable(() -> session.createSimulation(forces, null)));
+          new Thread(
+              () -> {
+                var unused = catchThrowable(() -> session.createSimulation(forces, null));
+              });
       client.start();
       Eventually.holds(() -> workers() == 1);
       session.destroy();
