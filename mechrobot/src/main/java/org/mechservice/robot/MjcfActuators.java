@@ -260,13 +260,16 @@ final class MjcfActuators {
   }
 
   /**
-   * Returns the range that a servo inherits in place of its own: that of its joint or tendon, made
-   * wider or narrower about its middle. MuJoCo turns that of a joint into radians if it is a limit.
+   * Returns the range that a servo inherits: that of its joint or tendon, made wider or narrower
+   * about its middle. A general actuator inherits it in place of its own, others if they have none.
+   * MuJoCo turns that of a joint into radians if it is a limit.
    */
   private Optional<List<Double>> inherited(
       MjcfReader.Scope scope, Element actuator, Law law, Map<String, Tendon> tendons) {
     double share = numbers.optional(actuator, "inheritrange", 0);
-    if (!(share > 0) || !law.isServo()) {
+    String range = law.activation() == Activation.INTEGRAL ? "actrange" : "ctrlrange";
+    boolean own = !actuator.name().equals("general") && actuator.attribute(range).isPresent();
+    if (!(share > 0) || !law.isServo() || own) {
       return Optional.empty();
     }
     Optional<Joint> joint =
@@ -287,14 +290,14 @@ final class MjcfActuators {
     boolean limits =
         limited.equals("true") || (limited.equals("auto") && scope.compiler().autolimits());
     double unit = turns && limits ? scope.compiler().angle() : 1;
-    Optional<List<Double>> range =
+    Optional<List<Double>> inherited =
         target.flatMap(
             one -> one.attribute("range").map(text -> numbers.read(one, "range", text, 2, 2)));
-    if (range.isEmpty()) {
+    if (inherited.isEmpty()) {
       numbers.contradiction(
           actuator, "inheritrange is " + share + ", and its joint or tendon has no range");
     }
-    return range.map(
+    return inherited.map(
         ends -> {
           double middle = unit * (ends.get(0) + ends.get(1)) / 2;
           double half = share * unit * (ends.get(1) - ends.get(0)) / 2;
