@@ -100,9 +100,10 @@ class RunQueueTest {
     }
     awaitBegun(2);
     submit("bob", "bob");
+    awaitBegun(1); // threads of their own note that they have begun
     submit("eve", "eve");
+    awaitBegun(1);
     Runnable third = submit("dan", "dan");
-    awaitBegun(2);
     assertThat(begun).containsExactly("ann", "ann", "bob", "eve");
     assertThat(queue.positionOf(third)).isEqualTo(1);
   }
