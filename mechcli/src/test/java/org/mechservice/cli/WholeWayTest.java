@@ -173,8 +173,8 @@ class WholeWayTest {
             file
                 + ": left out: 1 changes the motion, 1 changes contacts or motors only, 1 is picture"
                 + " or metadata (--losses all lists them)",
-            "arm.mjcf:1:35: M-085 body \"a\": joint \"j\": frictionloss of a ball joint is left"
-                + " out")
+            "arm.mjcf:1:35: M-085 body \"a\": joint \"j\": frictionloss acts against the whole"
+                + " rotation here, and along each of three axes in MuJoCo")
         .doesNotContain("M-088", "M-089");
     err.getBuffer().setLength(0);
     assertThat(mech("import", file, "--losses", "all", "-o", file("arm.xml"))).isEqualTo(4);
