@@ -176,6 +176,7 @@ class LawElementsTest {
               .replace("END", row.example().end())
               .replace("ELEMENT", row.element())
               .replace("JOINT\n", joint(row.example().trial()))
+              .replace("AXIS\n", axis(row.example().trial()))
               .replace("INERTIA\n", inertia(row.example().trial()))
               .replace("START", start(row.example().trial()))
               .replace("FORCE\n", element(row, "      ", "o", "block", "o")));
@@ -208,6 +209,13 @@ class LawElementsTest {
                   <body2 name="block" point="o"/>
                 </joint>
           """;
+    };
+  }
+
+  private static String axis(ForceRow.Trial trial) {
+    return switch (trial) {
+      case BLOCK -> "        <vector name=\"x\" vx=\"1\" vy=\"0\" vz=\"0\"/>\n";
+      case BALL -> "";
     };
   }
 
@@ -245,11 +253,11 @@ class LawElementsTest {
           <Bodies>
             <body name="Ground">
               <point name="o" x="0" y="0" z="0"/>
-              <vector name="x" vx="1" vy="0" vz="0"/>
+      AXIS
             </body>
             <body name="block">
               <point name="o" x="0" y="0" z="0"/>
-              <vector name="x" vx="1" vy="0" vz="0"/>
+      AXIS
               <mass value="1"/>
       INERTIA
             </body>
