@@ -23,8 +23,8 @@ import org.mechservice.view.scene.SceneJoint;
 /**
  * The gear wheels and belts that couplings of turning joints stand for: two wheels on one body, or
  * the wheels of a planetary gear. Their radii are in the ratio of the factors of their angles, and
- * fit the distance of their axes. What turns the same way as the wheel beside it is driven by a
- * belt, unless it is as fast: then nothing is known of what joins them.
+ * fit the distance of their axes. A belt drives a wheel that turns the same way as the one beside
+ * it at another speed. At the same speed nothing is known of what joins them, and nothing is drawn.
  *
  * <p>Teeth of all wheels have one size, and at the start those of one wheel are in the gaps of the
  * other: with the pitch p, and a tooth of the first wheel at the angle α from the line to the

@@ -30,7 +30,7 @@ import org.mechservice.solver.symbol.Scalar;
  * it.
  */
 final class PathForceReader {
-  /** What a muscle has if its element does not say it, as MuJoCo's. */
+  /** Numbers of a muscle whose element does not give them: those of MuJoCo. */
   private static final Map<String, Double> DEFAULTS =
       new TreeMap<>(
           Map.of(

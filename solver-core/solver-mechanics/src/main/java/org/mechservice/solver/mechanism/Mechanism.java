@@ -308,11 +308,21 @@ public final class Mechanism {
   }
 
   /**
-   * Returns the velocity that is the rate of a position.
+   * Returns the rate of a leaf of a formula of positions: of a place of a point its velocity, of a
+   * position of a coordinate that one's, of time 1, of anything else 0.
    *
-   * @throws IllegalArgumentException of an Euler parameter, whose rate is none
+   * @throws IllegalArgumentException of an Euler parameter, whose rate is no coordinate
    */
-  public Coordinate velocityOf(Coordinate position) {
+  public Expression rateOf(Expression leaf) {
+    if (leaf instanceof Expression.PointPosition point) {
+      return new Expression.PointVelocity(point.point(), point.axis());
+    } else if (leaf instanceof Expression.CoordinatePosition position) {
+      return new Expression.CoordinateVelocity(velocityOf(position.coordinate()));
+    }
+    return leaf instanceof Expression.Time ? Expression.of(1) : Expression.ZERO;
+  }
+
+  private Coordinate velocityOf(Coordinate position) {
     JointType type = jointOf(position).type();
     int surplus = type.positionCount() - type.velocityCount();
     int component =

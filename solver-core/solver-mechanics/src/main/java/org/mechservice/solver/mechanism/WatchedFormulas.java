@@ -17,12 +17,10 @@ import org.mechservice.solver.expression.Expression.ClosestStation;
 import org.mechservice.solver.expression.Expression.Composed;
 import org.mechservice.solver.expression.Expression.Constant;
 import org.mechservice.solver.expression.Expression.CoordinatePosition;
-import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.PathMotion;
 import org.mechservice.solver.expression.Expression.PointPosition;
-import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.Power;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
@@ -252,20 +250,10 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
     Map<Expression, Expression> motion = new HashMap<>();
     motion.put(PathMotion.LENGTH, force.along());
     if (new Tape(List.of(force.tension())).leaves().contains(PathMotion.RATE)) {
-      motion.put(PathMotion.RATE, FormulaRate.of(force.along(), this::rateOf));
+      motion.put(PathMotion.RATE, FormulaRate.of(force.along(), mechanism::rateOf));
     }
     content(force.tension()).map(tension -> replaced(tension, motion)).ifPresent(all::add);
     return all;
-  }
-
-  /** Returns the rate of a leaf of a formula of positions. */
-  private Expression rateOf(Expression leaf) {
-    if (leaf instanceof PointPosition point) {
-      return new PointVelocity(point.point(), point.axis());
-    } else if (leaf instanceof CoordinatePosition position) {
-      return new CoordinateVelocity(mechanism.velocityOf(position.coordinate()));
-    }
-    return leaf instanceof Time ? Expression.of(1) : Expression.ZERO;
   }
 
   /** Returns by how much the centre is below the heights at which the sphere touches. */

@@ -5,9 +5,7 @@ import java.util.List;
 import java.util.function.IntConsumer;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.CoordinatePosition;
-import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.PointPosition;
-import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.force.applied.AppliedForce;
@@ -81,7 +79,7 @@ public final class CoupledSpring extends AppliedForce {
       Expression leaf = leaves.get(i);
       positions[i] = LeafInput.of(leaf, motion, parameters);
       moves[i] = leaf instanceof CoordinatePosition || leaf instanceof PointPosition;
-      rates[i] = moves[i] ? LeafInput.of(rateOf(leaf, motion), motion, parameters) : positions[i];
+      rates[i] = moves[i] ? LeafInput.of(mechanism.rateOf(leaf), motion, parameters) : positions[i];
     }
     ofPositions = new Gradients(count);
     ofRates = new Gradients(count);
@@ -91,13 +89,6 @@ public final class CoupledSpring extends AppliedForce {
     slopeRate = new double[count];
     unit = new double[count];
     bend = new double[count];
-  }
-
-  private static Expression rateOf(Expression leaf, TreeMotion motion) {
-    return leaf instanceof PointPosition point
-        ? new PointVelocity(point.point(), point.axis())
-        : new CoordinateVelocity(
-            motion.tree().mechanism().velocityOf(((CoordinatePosition) leaf).coordinate()));
   }
 
   @Override
