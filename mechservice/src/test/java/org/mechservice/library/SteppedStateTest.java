@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.program.SteppedModel;
+import org.mechservice.solver.api.result.ColumnGroup;
 
 /** States that a program sets between two steps: held, closed, at once in all columns, refused. */
 class SteppedStateTest {
@@ -135,6 +136,45 @@ class SteppedStateTest {
       untouched.step();
       assertThat(run.value("A.q")).isCloseTo(untouched.value("A.q"), within(1e-9));
     }
+  }
+
+  /** What a program gives a mechanism is work, once. */
+  @Test
+  void energyOfAStateThatIsSetIsWork() throws Exception {
+    SteppedModel run =
+        MechModel.read(LEVER)
+            .columns(ColumnGroup.ENERGY)
+            .tolerances(1e-10, 1e-12)
+            .until(0.5)
+            .stepped(0.01);
+    double[] state = run.state();
+    double first = run.value("energy.kinetic") + run.value("energy.potential");
+    state[state.length - 1] += 3;
+    run.state(state);
+    double given = run.value("energy.kinetic") + run.value("energy.potential") - first;
+    assertThat(given).isGreaterThan(0.01);
+    assertThat(run.value("energy.work")).isCloseTo(given, within(1e-12));
+    run.step();
+    assertThat(run.value("energy.kinetic") + run.value("energy.potential"))
+        .isCloseTo(first + run.value("energy.work"), within(1e-8));
+  }
+
+  @Test
+  void eulerParametersAreTakenWithNormOne() throws Exception {
+    SteppedModel run =
+        MechModel.read(Path.of("../examples/elements/rotationFriction.xml")).stepped(0.1);
+    double[] state = run.state();
+    state[0] = 2;
+    state[1] = 2;
+    run.state(state);
+    assertThat(run.state()[0]).isCloseTo(Math.sqrt(0.5), within(1e-15));
+    assertThat(run.state()[1]).isCloseTo(Math.sqrt(0.5), within(1e-15));
+    state[0] = 0;
+    state[1] = 0;
+    assertThatThrownBy(() -> run.state(state))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("all zero");
+    assertThat(run.state()[0]).isCloseTo(Math.sqrt(0.5), within(1e-15));
   }
 
   @Test

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -35,7 +36,7 @@ class MinimaxTest {
   }
 
   /** Quantities: the largest error, the least one, then the rows twice. */
-  private static final class Errors implements Composition {
+  private static class Errors implements Composition {
     @Override
     public List<Extreme> extremes() {
       return List.of(
@@ -103,6 +104,62 @@ class MinimaxTest {
             approximation(2),
             new OptimiserSettings(Method.BOBYQA, 1, 1, 40, 1e-5, OptionalDouble.empty(), 1));
     assertThat(optimum.isLocal()).contains(false);
+  }
+
+  /** The slope of the best line again, with more to it than the error. */
+  private static DesignProblem line(List<Aim> aims, UnaryOperator<double[]> others) {
+    Composition made =
+        new Errors() {
+          @Override
+          public double[] aims(double[] quantities, double[] point) {
+            double error = super.aims(quantities, point)[0];
+            return others.apply(new double[] {error, point[0]});
+          }
+        };
+    return new DesignProblem(
+        List.of(new DesignVariable("c1", -3, 3, Math.E - 1)),
+        aims,
+        point -> made.aims(made.quantities(point), point),
+        Optional.empty(),
+        Optional.of(made));
+  }
+
+  /**
+   * At the corner of the error, where its slopes are −0.23 and 0.27, a cost of 0.4 for each unit of
+   * the variable promises something to the left: 0.17 of 0.006 in the variable.
+   */
+  @Test
+  void costsOfVariablesThemselvesCount() throws Exception {
+    DesignProblem problem =
+        line(
+            List.of(new Aim(Aim.Kind.MINIMISE, "error + 0.4*c1")),
+            values -> new double[] {values[0] + 0.4 * values[1]});
+    Trials trials = new Trials(problem, 1, 100, OptionalDouble.empty());
+    Minimax minimax = new Minimax(problem, problem.composition().orElseThrow(), trials, 1e-5);
+    double size = 0.10593 + 0.4 * (Math.E - 1);
+    assertThat(minimax.promise(problem.start()).orElseThrow())
+        .isCloseTo(0.17 * 0.006 / size, within(0.01 * 0.006 / size));
+  }
+
+  /** Constraints hold at the end, however heavy they have to be. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-2, 1, 1e4})
+  void constraintsHold(double scale) throws Exception {
+    DesignProblem problem =
+        line(
+            List.of(
+                new Aim(Aim.Kind.MINIMISE, "error"),
+                new Aim(Aim.Kind.AT_MOST_ZERO, "c1 <= 1.5", scale)),
+            values -> new double[] {values[0], values[1] - 1.5});
+    Trials trials = new Trials(problem, 1, 400, OptionalDouble.empty());
+    Minimax minimax = new Minimax(problem, problem.composition().orElseThrow(), trials, 1e-5);
+    minimax.minimise(problem.start());
+    Trial best = trials.best().orElseThrow();
+    assertThat(best.isFeasible()).isTrue();
+    // as far beyond as a constraint may be by its scale
+    assertThat(best.point()[0]).isCloseTo(1.5, within(1e-7 + 2e-6 * scale));
+    double[] there = {problem.variables().get(0).part(1.5)};
+    assertThat(minimax.promise(there).orElseThrow()).isLessThan(1e-6 * (1 + scale));
   }
 
   /**

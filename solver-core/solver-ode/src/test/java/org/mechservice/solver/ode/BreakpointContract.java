@@ -99,6 +99,30 @@ public abstract class BreakpointContract {
     assertThat(ofBoth.atEnd()).isEqualTo(listed.atEnd());
   }
 
+  /** Places before the start are left alone, and those within rounding are one. */
+  @Test
+  void placesBehindAndPlacesThatAreOneCostNoSteps() {
+    double[] y = {0.1, 1};
+    Run listed = Run.of(create(1e-7), new Pushed(1.25, 1.5, 1.75, 2.0), 1.1, y, 2.1);
+    class Early extends Pushed {
+      Early(Double... breakpoints) {
+        super(breakpoints);
+      }
+
+      @Override
+      public LongToDoubleFunction sequence() {
+        return k -> 0.25 * k;
+      }
+    }
+    Run early = Run.of(create(1e-7), new Early(0.5, 1.0), 1.1, y, 2.1);
+    assertThat(early.atEnd()).isEqualTo(listed.atEnd());
+    Integrator one = create(1e-7);
+    Run.of(one, new Pushed(1.5), 1.1, y, 2.1);
+    Integrator same = create(1e-7);
+    Run.of(same, new Pushed(1.5, Math.nextUp(1.5), 1.5 + 1e-14), 1.1, y, 2.1);
+    assertThat(same.statistics().steps()).isEqualTo(one.statistics().steps());
+  }
+
   /** A sequence of a thousand million places takes no memory, and is taken up in its middle. */
   @Test
   void placesWithoutEndAreTakenUp() {
