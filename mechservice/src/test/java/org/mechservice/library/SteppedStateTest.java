@@ -123,8 +123,8 @@ class SteppedStateTest {
     untouched.step();
     double[] state = run.state();
     double[] other = state.clone();
-    other[component(run, "A.q")] += 0.1;
-    other[component(run, "C.q")] -= 0.4;
+    other[component(run, "A.q")] += 2.5;
+    other[component(run, "C.q")] -= 2;
     assertThatThrownBy(() -> run.state(other))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageStartingWith("S-195")
