@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.mechservice.guard.SolverClasses;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.links.Link;
 import org.mechservice.solver.links.Links;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -61,8 +62,14 @@ final class ChosenClasses {
 
   private static Set<StepKind> kinds(Mechanism mechanism) {
     Set<StepKind> kinds = new HashSet<>();
+    // large loops add inertia to joints that move none
+    boolean arms =
+        !mechanism.closures().isEmpty() && mechanism.velocityCount() > LoopEquations.LARGE;
     for (Link link : Links.of(mechanism).links()) {
       kinds.add(StepKind.of(link));
+      if (arms) {
+        kinds.add(StepKind.of(link, true));
+      }
       link.axes().turn().ifPresent(turn -> kinds.add(StepKind.ofTurn(turn.axis())));
     }
     return kinds;

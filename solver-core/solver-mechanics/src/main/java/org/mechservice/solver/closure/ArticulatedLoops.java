@@ -1,19 +1,16 @@
 package org.mechservice.solver.closure;
 
-import static org.mechservice.solver.spatial.Blocks.addCross;
-import static org.mechservice.solver.spatial.Blocks.applyTransposed;
-
 import java.util.Arrays;
+import java.util.Optional;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.RowSupport;
-import org.mechservice.solver.dynamics.recursion.ArticulatedInertias;
-import org.mechservice.solver.dynamics.recursion.LinkInertias;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
-import org.mechservice.solver.dynamics.recursion.RigidComposites;
-import org.mechservice.solver.dynamics.tree.PivotCheck;
+import org.mechservice.solver.dynamics.recursion.TreeElimination;
+import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.kinematics.pair.RelativeMotion;
 import org.mechservice.solver.linear.SparseSymmetric;
 
 /**
@@ -23,6 +20,9 @@ import org.mechservice.solver.linear.SparseSymmetric;
  * Sathya and Carpentier 2024, constrained articulated-body algorithm with early elimination).
  * Equations that are at home on the root form a sparse matrix, factored in an order of least
  * degree.
+ *
+ * <p>Inertias, wrenches and motions of links are those of printed steps ({@link TreeElimination});
+ * what an equation adds is here.
  *
  * <p>The cost per link grows with the square of the number of equations open in it; a dense
  * factorisation costs the cube of the mechanism's size. With K the wrenches of the multipliers as a
@@ -42,27 +42,32 @@ import org.mechservice.solver.linear.SparseSymmetric;
 public final class ArticulatedLoops {
   private static final double[] NONE = {};
 
-  private final TreeGeometry tree;
   private final TreeMotion motion;
   private final LoopEquations loops;
   private final MassiveRods rods;
+  private final TreeElimination links;
   private final LoopFronts fronts;
 
   /** Rows of the equations of loops; those of rods follow them. */
   private final int[] rows;
 
   private final SparseSymmetric multipliers;
-  private final ArticulatedInertias inertia;
-  private final RigidComposites rigid;
-  private final PivotCheck check = new PivotCheck();
 
-  /** U, 6 per extended velocity; D, and u of the last solution, one each. */
-  private final double[] projected;
+  /** Which equations are between two bodies, and the wrenches of one of them. */
+  private final boolean[] between;
 
-  private final double[] pivot;
-  private final double[] push;
+  private final double[] onA = new double[6];
+  private final double[] onB = new double[6];
 
-  /** K, 6 per entry of a front; an eliminated entry keeps its value at the elimination. */
+  /**
+   * For each equation the links of the tree on which it exerts a wrench, the two in their order if
+   * it is between two bodies, and the entries of the links that carry these, or −1.
+   */
+  private final int[][] loaded;
+
+  private final int[][] loadedEntry;
+
+  /** K, 6 per entry of a front. */
   private final double[] wrench;
 
   /** κ of each velocity, for the entries of its link's front that are open in it. */
@@ -78,57 +83,92 @@ public final class ArticulatedLoops {
 
   private final double[] ofVelocity;
 
-  /** p, then accelerations, 6 per link; c + the known part of J x, then multipliers, by place. */
-  private final double[] spatial;
-
+  /** c + the known part of J x, then multipliers, by place. */
   private final double[] row;
-  private final double[] carried = new double[6];
+
+  private final double[] along = new double[3];
+
+  /** What equations without a further link to be carried to add to. */
+  private final double[] ended = new double[6];
+
   private final int[] places;
-  private boolean[] heldAt = {};
 
-  /** Inertias added to joints, and those to be added where a pivot lacks; empty for none. */
-  private double[] addedAt = NONE;
-
-  private double[] leastAt = NONE;
+  /** Links whose joints are eliminated. */
+  private final boolean[] free;
 
   /**
    * @param rows rows of the equations that are used; independent of each other
    * @param rods of the same tree, light beside the links
    */
   public ArticulatedLoops(TreeMotion motion, LoopEquations loops, int[] rows, MassiveRods rods) {
-    tree = motion.tree();
+    this(motion, loops, rows, rods, false);
+  }
+
+  /** Returns factors that can add inertia to joints, which takes more time. */
+  public static ArticulatedLoops withAdded(
+      TreeMotion motion, LoopEquations loops, int[] rows, MassiveRods rods) {
+    return new ArticulatedLoops(motion, loops, rows, rods, true);
+  }
+
+  private ArticulatedLoops(
+      TreeMotion motion, LoopEquations loops, int[] rows, MassiveRods rods, boolean arms) {
+    TreeGeometry tree = motion.tree();
     this.motion = motion;
     this.loops = loops;
     this.rods = rods;
     this.rows = rows.clone();
-    RowSupport[] support = new RowSupport[rows.length + rods.equationCount()];
-    for (int i = 0; i < support.length; i++) {
-      support[i] = i < rows.length ? loops.support(rows[i]) : support(i - rows.length);
+    links = new TreeElimination(motion, arms);
+    int[] linkOfVelocity = new int[tree.stateVelocityCount];
+    for (int link = 0; link < links.count(); link++) {
+      if (!links.isDriven(link)) {
+        int first = links.velocity(link);
+        Arrays.fill(linkOfVelocity, first, first + links.freedoms(link), link);
+      }
     }
-    fronts = new LoopFronts(tree, support);
+    RowSupport[] support = new RowSupport[rows.length + rods.equationCount()];
+    loaded = new int[support.length][];
+    between = new boolean[support.length];
+    for (int i = 0; i < support.length; i++) {
+      RowSupport ofTree = i < rows.length ? loops.support(rows[i]) : support(i - rows.length);
+      boolean isLoop = i < rows.length;
+      Optional<RelativeMotion> pair = isLoop ? loops.pair(rows[i]) : Optional.empty();
+      between[i] = pair.isPresent();
+      loaded[i] = pair.map(r -> new int[] {r.linkA(), r.linkB()}).orElse(ofTree.loaded());
+      support[i] =
+          ofTree.of(
+              way ->
+                  isLoop && tree.kind[way] == LinkKind.FIXED
+                      ? TreeGeometry.ROOT
+                      : links.carrier(way),
+              links::carrier);
+    }
+    fronts = new LoopFronts(links.parents(), linkOfVelocity, support);
+    loadedEntry = new int[support.length][];
+    for (int i = 0; i < support.length; i++) {
+      int equation = i;
+      loadedEntry[i] =
+          Arrays.stream(loaded[i])
+              .map(link -> link == TreeGeometry.ROOT ? TreeGeometry.ROOT : links.carrier(link))
+              .map(link -> fronts.loadedEntry(equation, link))
+              .toArray();
+    }
     multipliers = fronts.matrix;
-    LinkInertias inertias = new LinkInertias(tree);
-    inertia = new ArticulatedInertias(motion, inertias);
-    rigid = new RigidComposites(tree, inertias);
-    projected = new double[6 * tree.velocityCount];
-    pivot = new double[tree.velocityCount];
-    push = new double[tree.velocityCount];
     wrench = new double[6 * fronts.place.length];
-    couplingAt = new int[tree.velocityCount + 1];
+    couplingAt = new int[tree.stateVelocityCount + 1];
     int at = 0;
-    for (int k = 0; k < tree.velocityCount; k++) {
-      int link = tree.linkOfVelocity[k];
+    for (int k = 0; k < tree.stateVelocityCount; k++) {
+      int link = linkOfVelocity[k];
       couplingAt[k] = at;
       at += fronts.start[link + 1] - fronts.open[link];
     }
-    couplingAt[tree.velocityCount] = at;
+    couplingAt[tree.stateVelocityCount] = at;
     coupling = new double[at];
     direct = new double[at];
     ofMultiplier = new double[6 * tree.linkCount];
     ofVelocity = new double[tree.velocityCount];
-    spatial = new double[6 * tree.linkCount];
     row = new double[support.length];
     places = fronts.place;
+    free = new boolean[links.count()];
   }
 
   private RowSupport support(int ofRods) {
@@ -148,58 +188,56 @@ public final class ArticulatedLoops {
    *     row of an equation that is redundant at this state
    */
   public int factor() {
-    return factor(NONE, new boolean[0]);
+    return factor(NONE, new boolean[0], NONE, NONE);
   }
 
   /**
    * Factors as {@link #factor()}, with inertias added to joints that the links do not resist. The
-   * caller removes them from the solution by iteration.
+   * caller removes them from the solution by iteration. For factors made by {@link #withAdded}.
    *
-   * @param added inertia of each velocity of the state; zeros become {@code least} where the tree
-   *     has no pivot
+   * @param added inertia of each velocity of the state; those of joints without a pivot become
+   *     {@code least}
    * @param least inertia to be added, one number per velocity of the state; not modified
    * @return as {@link #factor()}
    */
   public int factor(double[] added, double[] least) {
-    addedAt = added;
-    leastAt = least;
-    int factored = factor(NONE, new boolean[0]);
-    addedAt = NONE;
-    leastAt = NONE;
-    return factored;
+    return factor(NONE, new boolean[0], added, least);
   }
 
   /**
    * Factors M x + Jᵀ λ = f, J x + c = C λ with a compliance C, which permits redundant equations.
    *
-   * @param compliance one number per row of the loops, or empty for none; not modified
-   * @param held velocities of the state at which x is zero; empty if there are none
+   * @param compliance one number per row of the loops; not modified
+   * @param held velocities of the state at which x is zero, all of a joint or none; empty if there
+   *     are none
    * @return as {@link #factor()}
    */
   public int factor(double[] compliance, boolean[] held) {
-    check.start();
-    rigid.start();
+    return factor(compliance, held, NONE, NONE);
+  }
+
+  private int factor(double[] compliance, boolean[] held, double[] added, double[] least) {
+    links.start();
     multipliers.clear();
     load();
-    heldAt = held;
     for (int i = 0; i < rows.length && compliance.length > 0; i++) {
       multipliers.addDiagonal(multipliers.placeOf(i), compliance[rows[i]]);
     }
     for (int i = rows.length; i < row.length; i++) {
       multipliers.addDiagonal(multipliers.placeOf(i), rods.compliance(i - rows.length));
     }
-    for (int link = 0; link < tree.linkCount; link++) {
-      inertia.startAtRest(link);
-    }
-    for (int link = tree.linkCount - 1; link >= 0; link--) {
+    for (int link = links.count() - 1; link >= 0; link--) {
+      free[link] =
+          !links.isDriven(link)
+              && !(links.velocity(link) < held.length && held[links.velocity(link)]);
       int singular = eliminateAtHome(link);
       if (singular == ExplicitModel.REGULAR) {
-        singular = eliminateJoint(link);
+        singular = free[link] ? eliminateJoint(link, added, least) : carry(link);
       }
       if (singular != ExplicitModel.REGULAR) {
+        links.giveUp();
         return singular;
       }
-      carryInwards(link);
     }
     for (int at = 0; at < multipliers.size(); at++) {
       if (fronts.isAtHomeOnRoot(at) && !multipliers.eliminate(at)) {
@@ -220,26 +258,41 @@ public final class ArticulatedLoops {
     Arrays.fill(wrench, 0);
     Arrays.fill(direct, 0);
     for (int i = 0; i < row.length; i++) {
-      if (i < rows.length) {
-        loops.addForces(rows[i], 1, ofMultiplier, ofVelocity);
+      if (between[i]) {
+        loops.wrenches(rows[i], onA, onB);
+        add(i, 0, onA, 0);
+        add(i, 1, onB, 0);
       } else {
-        rods.addLoads(motion, i - rows.length, ofMultiplier);
+        loadOthers(i);
       }
-      for (int l = 0; l < fronts.loaded[i].length; l++) {
-        int from = 6 * fronts.loaded[i][l];
-        if (fronts.loadedEntry[i][l] >= 0) {
-          System.arraycopy(ofMultiplier, from, wrench, 6 * fronts.loadedEntry[i][l], 6);
-        }
-        Arrays.fill(ofMultiplier, from, from + 6, 0);
-      }
-      for (int l = 0; l < fronts.pushed[i].length; l++) {
-        int k = fronts.pushed[i][l];
-        int link = tree.linkOfVelocity[k];
-        direct[couplingAt[k] + fronts.pushedEntry[i][l] - fronts.open[link]] = ofVelocity[k];
-      }
-      for (int k : fronts.velocities[i]) {
-        ofVelocity[k] = 0;
-      }
+    }
+  }
+
+  private void loadOthers(int i) {
+    if (i < rows.length) {
+      loops.addForces(rows[i], 1, ofMultiplier, ofVelocity);
+    } else {
+      rods.addLoads(motion, i - rows.length, ofMultiplier);
+    }
+    for (int l = 0; l < loaded[i].length; l++) {
+      int from = 6 * loaded[i][l];
+      add(i, l, ofMultiplier, from);
+      Arrays.fill(ofMultiplier, from, from + 6, 0);
+    }
+    for (int l = 0; l < fronts.pushed[i].length; l++) {
+      int k = fronts.pushed[i][l];
+      direct[couplingAt[k] + fronts.pushedEntry[i][l]] = ofVelocity[k];
+    }
+    for (int k : fronts.velocities[i]) {
+      ofVelocity[k] = 0;
+    }
+  }
+
+  /** Adds the wrench of an equation on the l-th of the links that it loads. */
+  private void add(int equation, int l, double[] onLink, int from) {
+    int entry = loadedEntry[equation][l];
+    if (entry >= 0) {
+      links.addInFrame(loaded[equation][l], onLink, from, wrench, 6 * entry);
     }
   }
 
@@ -259,60 +312,53 @@ public final class ArticulatedLoops {
           addScaled(wrench, 6 * other, wrench, 6 * e, -multipliers.lower(later));
         }
       }
-      inertia.eliminate(link, wrench, 6 * e, -1 / multipliers.pivot(at));
+      links.addInertia(link, wrench, 6 * e, 1 / multipliers.pivot(at));
     }
     return ExplicitModel.REGULAR;
   }
 
-  /** Eliminates the freedoms of a link's joint, one after the other. */
-  private int eliminateJoint(int link) {
-    if (tree.driven[link]) {
-      return ExplicitModel.REGULAR;
+  /** Eliminates a link's joint, and carries what is left to the parent. */
+  private int eliminateJoint(int link, double[] added, double[] least) {
+    int first = links.velocity(link);
+    int freedoms = links.freedoms(link);
+    int singular = links.eliminate(link);
+    if (singular != ExplicitModel.REGULAR && added.length > 0) {
+      links.arm(link, least[first]);
+      System.arraycopy(least, first, added, first, freedoms);
+      singular = links.eliminate(link);
     }
-    int first = tree.velocityAt[link];
+    if (singular != ExplicitModel.REGULAR) {
+      return singular;
+    }
     int count = fronts.start[link + 1] - fronts.open[link];
-    for (int k = first; k < first + tree.kind[link].velocityCount(); k++) {
-      if (isHeld(k)) {
-        continue;
+    for (int i = 0; i < count; i++) {
+      int e = fronts.open[link] + i;
+      for (int k = 0; k < freedoms; k++) {
+        along[k] = direct[couplingAt[first + k] + i];
       }
-      project(link, k);
-      pivot[k] = dot(motion.subspace, 6 * k, projected, 6 * k) + tree.armature[k];
-      if (addedAt.length > 0) {
-        pivot[k] += addedAt[k];
+      int parent = fronts.inParent[e];
+      links.couple(
+          link, wrench, 6 * e, along, parent < 0 ? ended : wrench, Math.max(0, 6 * parent));
+      for (int k = 0; k < freedoms; k++) {
+        coupling[couplingAt[first + k] + i] = along[k];
       }
-      if (!check.regular(k, pivot[k], rigid.scale(link))) {
-        if (addedAt.length == 0 || addedAt[k] > 0) {
-          return k;
-        }
-        addedAt[k] = leastAt[k];
-        pivot[k] += leastAt[k];
-      }
-      double perPivot = 1 / pivot[k];
-      for (int i = 0; i < count; i++) {
-        int e = fronts.open[link] + i;
-        double moved = dot(motion.subspace, 6 * k, wrench, 6 * e) + direct[couplingAt[k] + i];
-        coupling[couplingAt[k] + i] = moved;
-        addScaled(wrench, 6 * e, projected, 6 * k, -moved * perPivot);
-      }
-      multipliers.addSquare(places, fronts.open[link], coupling, couplingAt[k], count, perPivot);
-      inertia.eliminate(link, projected, 6 * k, perPivot);
+    }
+    for (int k = 0; k < freedoms; k++) {
+      double perPivot = 1 / links.pivot(link, k);
+      int at = couplingAt[first + k];
+      multipliers.addSquare(places, fronts.open[link], coupling, at, count, perPivot);
     }
     return ExplicitModel.REGULAR;
   }
 
-  /** U = Iᴬ S. */
-  private void project(int link, int k) {
-    double[] s = motion.subspace;
-    switch (tree.kind[link]) {
-      case TURN, BALL -> inertia.applyToTurning(link, s, 6 * k, projected, 6 * k);
-      case SLIDE -> inertia.applyToSliding(link, s, 6 * k + 3, projected, 6 * k);
-      case SCREW -> inertia.applyTo(link, s, 6 * k, projected, 6 * k);
-      case FIXED -> throw new IllegalArgumentException("link " + link + " has no freedom");
+  /** Carries all to the parent with the joint as it is. */
+  private int carry(int link) {
+    links.carry(link);
+    for (int e = fronts.open[link]; e < fronts.start[link + 1]; e++) {
+      int parent = fronts.inParent[e];
+      links.transfer(link, wrench, 6 * e, parent < 0 ? ended : wrench, Math.max(0, 6 * parent));
     }
-  }
-
-  private boolean isHeld(int velocity) {
-    return velocity < heldAt.length && heldAt[velocity];
+    return ExplicitModel.REGULAR;
   }
 
   /**
@@ -322,32 +368,7 @@ public final class ArticulatedLoops {
    * @param units of the velocities of the state, by which displacements are lengths
    */
   public double largestInertia(double[] units) {
-    rigid.start();
-    double largest = 0;
-    for (int link = tree.linkCount - 1; link >= 0; link--) {
-      int first = tree.velocityAt[link];
-      for (int k = first; k < first + tree.kind[link].velocityCount(); k++) {
-        double unit = tree.driven[link] ? 0 : units[k];
-        largest = Math.max(largest, (rigid.scale(link) + tree.armature[k]) * unit * unit);
-      }
-      if (tree.parent[link] != TreeGeometry.ROOT) {
-        rigid.addToParent(motion, link);
-      }
-    }
-    return largest;
-  }
-
-  private void carryInwards(int link) {
-    if (tree.parent[link] == TreeGeometry.ROOT) {
-      return;
-    }
-    inertia.addToParent(link);
-    rigid.addToParent(motion, link);
-    for (int e = fronts.open[link]; e < fronts.start[link + 1]; e++) {
-      System.arraycopy(wrench, 6 * e, carried, 0, 6);
-      motion.wrenches.toParent(link, carried, 0);
-      addScaled(wrench, 6 * fronts.inParent[e], carried, 0, 1);
-    }
+    return links.largestInertia(units);
   }
 
   /**
@@ -359,11 +380,11 @@ public final class ArticulatedLoops {
    * @param lambda one number per row of the loops, zero for unused rows; overwritten
    */
   public void solve(double[] force, double[] offset, double[] x, int at, double[] lambda) {
-    Arrays.fill(spatial, 0);
+    links.startPush();
     for (int i = 0; i < row.length; i++) {
       row[multipliers.placeOf(i)] = i < rows.length ? offset[rows[i]] : 0;
     }
-    for (int link = tree.linkCount - 1; link >= 0; link--) {
+    for (int link = links.count() - 1; link >= 0; link--) {
       pushInwards(link, force);
     }
     for (int place = 0; place < row.length; place++) {
@@ -376,7 +397,7 @@ public final class ArticulatedLoops {
         row[place] = -row[place] / multipliers.pivot(place) - ofLater(place);
       }
     }
-    for (int link = 0; link < tree.linkCount; link++) {
+    for (int link = 0; link < links.count(); link++) {
       moveOutwards(link, x, at);
     }
     Arrays.fill(lambda, 0);
@@ -407,81 +428,58 @@ public final class ArticulatedLoops {
     for (int e = fronts.start[link]; e < fronts.open[link]; e++) {
       int place = places[e];
       passOn(place);
-      addScaled(spatial, 6 * link, wrench, 6 * e, row[place] / multipliers.pivot(place));
+      links.addWrench(link, wrench, 6 * e, row[place] / multipliers.pivot(place));
     }
-    if (!tree.driven[link]) {
-      int first = tree.velocityAt[link];
-      for (int k = first; k < first + tree.kind[link].velocityCount(); k++) {
-        if (isHeld(k)) {
-          continue;
-        }
-        push[k] = force[k] - dot(motion.subspace, 6 * k, spatial, 6 * link);
-        double part = push[k] / pivot[k];
-        for (int e = fronts.open[link]; e < fronts.start[link + 1]; e++) {
-          row[places[e]] += coupling[couplingAt[k] + e - fronts.open[link]] * part;
-        }
-        addScaled(spatial, 6 * link, projected, 6 * k, part);
+    if (!free[link]) {
+      links.pass(link);
+      return;
+    }
+    links.push(link, force);
+    int first = links.velocity(link);
+    for (int k = 0; k < links.freedoms(link); k++) {
+      double rate = links.rate(link, k);
+      int at = couplingAt[first + k] - fronts.open[link];
+      for (int e = fronts.open[link]; e < fronts.start[link + 1]; e++) {
+        row[places[e]] += coupling[at + e] * rate;
       }
-    }
-    if (tree.parent[link] != TreeGeometry.ROOT) {
-      System.arraycopy(spatial, 6 * link, carried, 0, 6);
-      motion.wrenches.toParent(link, carried, 0);
-      addScaled(spatial, 6 * tree.parent[link], carried, 0, 1);
     }
   }
 
   private void moveOutwards(int link, double[] x, int at) {
-    carryAcceleration(link);
-    if (!tree.driven[link]) {
+    if (free[link]) {
       moveJoint(link, x, at);
+    } else {
+      links.move(link);
+      if (!links.isDriven(link)) {
+        int first = at + links.velocity(link);
+        Arrays.fill(x, first, first + links.freedoms(link), 0);
+      }
     }
     for (int e = fronts.open[link] - 1; e >= fronts.start[link]; e--) {
       int place = places[e];
-      double known = row[place] + dot(wrench, 6 * e, spatial, 6 * link);
+      double known = row[place] + links.felt(link, wrench, 6 * e);
       row[place] = -known / multipliers.pivot(place) - ofLater(place);
     }
   }
 
   private void moveJoint(int link, double[] x, int at) {
-    int first = tree.velocityAt[link];
-    for (int k = first + tree.kind[link].velocityCount() - 1; k >= first; k--) {
-      if (isHeld(k)) {
-        x[at + k] = 0;
-        continue;
-      }
-      double sum = push[k] - dot(projected, 6 * k, spatial, 6 * link);
+    int first = links.velocity(link);
+    for (int k = 0; k < links.freedoms(link); k++) {
+      int from = couplingAt[first + k] - fronts.open[link];
+      double sum = 0;
       for (int e = fronts.open[link]; e < fronts.start[link + 1]; e++) {
-        sum += coupling[couplingAt[k] + e - fronts.open[link]] * row[places[e]];
+        sum += coupling[from + e] * row[places[e]];
       }
-      x[at + k] = sum / pivot[k];
-      addScaled(spatial, 6 * link, motion.subspace, 6 * k, x[at + k]);
+      if (sum != 0) {
+        links.addRate(link, k, sum / links.pivot(link, k));
+      }
     }
-  }
-
-  private void carryAcceleration(int link) {
-    int to = 6 * link;
-    int parent = tree.parent[link];
-    if (parent == TreeGeometry.ROOT) {
-      Arrays.fill(spatial, to, to + 6, 0);
-      return;
-    }
-    applyTransposed(motion.rotation, 9 * link, spatial, 6 * parent, spatial, to);
-    System.arraycopy(spatial, 6 * parent + 3, carried, 0, 3);
-    addCross(spatial, 6 * parent, motion.position, 3 * link, carried, 0);
-    applyTransposed(motion.rotation, 9 * link, carried, 0, spatial, to + 3);
+    links.move(link, x, at);
   }
 
   private static void addScaled(double[] sum, int is, double[] x, int ix, double factor) {
     for (int i = 0; i < 6; i++) {
       sum[is + i] += factor * x[ix + i];
     }
-  }
-
-  private static double dot(double[] a, int ia, double[] b, int ib) {
-    double sum = 0;
-    for (int i = 0; i < 6; i++) {
-      sum += a[ia + i] * b[ib + i];
-    }
-    return sum;
   }
 }

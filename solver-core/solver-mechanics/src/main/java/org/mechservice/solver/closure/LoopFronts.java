@@ -34,36 +34,34 @@ final class LoopFronts {
   /** Entry of the same equation in the front of the parent, or -1. */
   final int[] inParent;
 
-  /**
-   * For each equation and each link on which it exerts a wrench: the link and the entry in its
-   * front.
-   */
-  final int[][] loaded;
-
-  final int[][] loadedEntry;
-
   /** For each equation the extended velocities on which it exerts a force. */
   final int[][] velocities;
 
-  /** Velocities of the state among them, and the entries in the fronts of their links. */
+  /**
+   * Velocities of the state among them, and the entries in the fronts of their links, counted from
+   * the first that is open.
+   */
   final int[][] pushed;
 
   final int[][] pushedEntry;
 
-  private final TreeGeometry tree;
+  private final int[] parent;
   private final int[] home;
 
   /**
-   * @param support what each equation depends on
+   * @param parent of each link, with a lower index, or the root
+   * @param linkOfVelocity the link that each velocity of the state moves
+   * @param support what each equation depends on, with links as in {@code parent}
    */
-  LoopFronts(TreeGeometry tree, RowSupport[] support) {
-    this.tree = tree;
+  LoopFronts(int[] parent, int[] linkOfVelocity, RowSupport[] support) {
+    this.parent = parent;
+    int links = parent.length;
     int count = support.length;
     home = new int[count];
     Arrays.setAll(home, i -> home(support[i]));
     List<List<Integer>> through = new ArrayList<>();
     List<List<Integer>> atHome = new ArrayList<>();
-    for (int link = 0; link < tree.linkCount; link++) {
+    for (int link = 0; link < links; link++) {
       through.add(new ArrayList<>());
       atHome.add(new ArrayList<>());
     }
@@ -85,10 +83,10 @@ final class LoopFronts {
             .mapToInt(Integer::intValue)
             .toArray();
     matrix = new SparseSymmetric(count, cliques, first);
-    start = new int[tree.linkCount + 1];
-    open = new int[tree.linkCount];
-    int[][] front = new int[tree.linkCount][];
-    for (int link = 0; link < tree.linkCount; link++) {
+    start = new int[links + 1];
+    open = new int[links];
+    int[][] front = new int[links][];
+    for (int link = 0; link < links; link++) {
       int[] here = atHome.get(link).stream().mapToInt(Integer::intValue).toArray();
       front[link] =
           IntStream.concat(Arrays.stream(here), Arrays.stream(cliques.get(link)))
@@ -100,27 +98,30 @@ final class LoopFronts {
     }
     place = Arrays.stream(front).flatMapToInt(Arrays::stream).toArray();
     inParent = new int[place.length];
-    for (int link = 0; link < tree.linkCount; link++) {
+    for (int link = 0; link < links; link++) {
       for (int e = start[link]; e < start[link + 1]; e++) {
-        boolean ends = e < open[link] || tree.parent[link] == TreeGeometry.ROOT;
-        inParent[e] = ends ? -1 : entry(tree.parent[link], place[e]);
+        boolean ends = e < open[link] || parent[link] == TreeGeometry.ROOT;
+        inParent[e] = ends ? -1 : entry(parent[link], place[e]);
       }
     }
-    loaded = new int[count][];
-    loadedEntry = new int[count][];
     velocities = new int[count][];
     pushed = new int[count][];
     pushedEntry = new int[count][];
     for (int i = 0; i < count; i++) {
       int at = matrix.placeOf(i);
-      loaded[i] = support[i].loaded();
-      loadedEntry[i] = Arrays.stream(loaded[i]).map(link -> entry(link, at)).toArray();
       velocities[i] = support[i].velocities();
       pushed[i] =
-          Arrays.stream(support[i].velocities()).filter(k -> k < tree.stateVelocityCount).toArray();
+          Arrays.stream(support[i].velocities()).filter(k -> k < linkOfVelocity.length).toArray();
       pushedEntry[i] =
-          Arrays.stream(pushed[i]).map(k -> entry(tree.linkOfVelocity[k], at)).toArray();
+          Arrays.stream(pushed[i])
+              .map(k -> entry(linkOfVelocity[k], at) - open[linkOfVelocity[k]])
+              .toArray();
     }
+  }
+
+  /** Returns the entry of an equation in the front of a link on which it acts, or −1. */
+  int loadedEntry(int equation, int link) {
+    return link == TreeGeometry.ROOT ? -1 : entry(link, matrix.placeOf(equation));
   }
 
   /** Returns whether the home of the equation at a position of the order is the root. */
@@ -131,17 +132,31 @@ final class LoopFronts {
   private int home(RowSupport support) {
     int home = Integer.MIN_VALUE;
     for (int link : support.ways()) {
-      int parent = tree.parent[link];
-      home = home == Integer.MIN_VALUE ? parent : tree.commonAncestor(home, parent);
+      int inner = parent[link];
+      home = home == Integer.MIN_VALUE ? inner : commonAncestor(home, inner);
     }
     return home == Integer.MIN_VALUE ? TreeGeometry.ROOT : home;
+  }
+
+  /** Parents have lower indices than their children, and the root the lowest. */
+  private int commonAncestor(int one, int other) {
+    int a = one;
+    int b = other;
+    while (a != b) {
+      if (a > b) {
+        a = parent[a];
+      } else {
+        b = parent[b];
+      }
+    }
+    return a;
   }
 
   private int[] linksThrough(RowSupport support, int home) {
     BitSet links = new BitSet();
     for (int[] group : new int[][] {support.ways(), support.loaded()}) {
       for (int from : group) {
-        for (int link = from; link > home && !links.get(link); link = tree.parent[link]) {
+        for (int link = from; link > home && !links.get(link); link = parent[link]) {
           links.set(link);
         }
       }

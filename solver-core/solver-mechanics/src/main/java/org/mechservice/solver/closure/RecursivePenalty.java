@@ -8,7 +8,8 @@ import org.mechservice.solver.linear.SparseMatrix;
 /**
  * Penalty equations with the sparsity of the tree. A penalty α is a compliance 1/α of the equations
  * M x + Jᵀ λ = r, J x + c = λ/α, which {@link ArticulatedLoops} factors; the iteration removes the
- * compliance. A dense matrix replaces it if a joint of the open tree moves no inertia.
+ * compliance. A dense matrix replaces it if a joint of the open tree moves no inertia, or if
+ * velocities of a ball are held and others are not.
  */
 final class RecursivePenalty implements PenaltyEquations {
   private static final int REPETITIONS = 10;
@@ -52,15 +53,29 @@ final class RecursivePenalty implements PenaltyEquations {
   @Override
   public int factor(boolean[] held) {
     formCompliance();
-    int singular = factors.factor(compliance, held);
-    byDense = singular >= 0;
-    if (!byDense) {
-      return singular;
+    if (areWholeJoints(held)) {
+      int singular = factors.factor(compliance, held);
+      byDense = singular >= 0;
+      if (!byDense) {
+        return singular;
+      }
     }
+    byDense = true;
     if (dense.isEmpty()) {
       dense = Optional.of(new DensePenalty(work, stiffness, holds));
     }
     return dense.get().factor(held);
+  }
+
+  /** Returns whether velocities of balls are held all three or not at all. */
+  private boolean areWholeJoints(boolean[] held) {
+    for (int k = 1; k < held.length; k++) {
+      boolean ofOneJoint = work.tree.linkOfVelocity[k] == work.tree.linkOfVelocity[k - 1];
+      if (ofOneJoint && held[k] != held[k - 1]) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Sets 1/α of a row of unit length; longer rows get more ({@link AugmentedEquations}). */

@@ -236,6 +236,49 @@ public final class LinkStep {
     return freedom.with(rest, freedom.turns() ? jointForce : jointForce.over(freedom.way()));
   }
 
+  /**
+   * The wrench of a multiplier, without what a degree of freedom gives way to.
+   *
+   * @param along kappa, its component along the freedom
+   * @param rest K - (U / D) kappa
+   */
+  public record Coupled(Scalar along, Wrench rest) {}
+
+  /**
+   * Eliminates a degree of freedom from the wrench of a multiplier.
+   *
+   * @param share U / D
+   * @param wrench K
+   * @param direct force of the multiplier on the joint itself, which is not in K
+   */
+  public static Coupled couple(
+      DegreeOfFreedom freedom, Wrench share, Wrench wrench, Scalar direct) {
+    Scalar along = direct.plus(freedom.along(wrench));
+    Wrench rest = wrench.minus(share.times(along));
+    Scalar onJoint = direct.negated();
+    return new Coupled(
+        along, freedom.with(rest, freedom.turns() ? onJoint : onJoint.over(freedom.way())));
+  }
+
+  /** A wrench on a link, and the part u / D of a force along a degree of freedom. */
+  public record Pushed(Scalar rate, Wrench rest) {}
+
+  /**
+   * Eliminates a degree of freedom from a wrench with the factors of its inertia.
+   *
+   * @param pivot D
+   * @param share U / D
+   * @param wrench p
+   * @param force applied force along the freedom
+   */
+  public static Pushed push(
+      DegreeOfFreedom freedom, Scalar pivot, Wrench share, Wrench wrench, Scalar force) {
+    Scalar left = force.minus(freedom.along(wrench));
+    Wrench rest = wrench.plus(share.times(left));
+    return new Pushed(
+        left.over(pivot), freedom.with(rest, freedom.turns() ? force : force.over(freedom.way())));
+  }
+
   /** Returns a wrench on the link, or an inertia, in its parent's frame. */
   public <T extends Moved<T>> T toParent(T ofLink) {
     T atJoint = isBall() ? ofLink.in(joint.ballRotation()) : ofLink;

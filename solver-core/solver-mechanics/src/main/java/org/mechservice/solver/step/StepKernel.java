@@ -40,4 +40,26 @@ public interface StepKernel {
 
   /** Writes the joint forces that the motion of a link on the root takes. */
   void forceOnRoot(double[] w, int i, int p);
+
+  /**
+   * Writes what a joint force and the wrench of the links beyond do to an eliminated joint, and
+   * adds the rest of the wrench to the parent's: the second sweep once more for other forces.
+   */
+  void push(double[] w, int i, int p);
+
+  /** Writes what they do to an eliminated joint of a link on the root. */
+  void pushOnRoot(double[] w, int i, int p);
+
+  /**
+   * Carries the wrench of a multiplier over an eliminated joint.
+   *
+   * @param p where the wrench is, laid out by {@link CarriedWrench}
+   */
+  void couple(double[] w, int i, int p);
+
+  /** Writes what the wrench of a multiplier does to an eliminated joint of a link on the root. */
+  void coupleOnRoot(double[] w, int i, int p);
+
+  /** Carries the wrench of a multiplier over a joint as it is. */
+  void transfer(double[] w, int i, int p);
 }

@@ -42,7 +42,16 @@ public enum StepKind {
 
   /** Returns the kind of the step of a link's joint. */
   public static StepKind of(Link link) {
-    boolean armed = link.armature() != 0;
+    return of(link, false);
+  }
+
+  /**
+   * Returns the kind of the step of a link's joint.
+   *
+   * @param arms whether its joint takes an armature even if the link has none
+   */
+  public static StepKind of(Link link, boolean arms) {
+    boolean armed = arms || link.armature() != 0;
     return switch (link.kind()) {
       case TURN -> armed ? TURN_ARMED : TURN;
       case SLIDE -> armed ? SLIDE_ARMED : SLIDE;

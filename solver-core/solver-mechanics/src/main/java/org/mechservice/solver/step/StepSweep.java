@@ -78,6 +78,37 @@ public enum StepSweep {
     void derive(Derivation d) {
       d.force();
     }
+  },
+  PUSH("u / D of each degree of freedom, with its D and U / D; p added to the parent.") {
+    @Override
+    void derive(Derivation d) {
+      d.push();
+      d.passWrench();
+    }
+  },
+  PUSH_ON_ROOT("u / D of each degree of freedom, with its D and U / D.") {
+    @Override
+    void derive(Derivation d) {
+      d.push();
+    }
+  },
+  COUPLE("kappa + K.z of each degree of freedom; K - (U / D) kappa as the parent feels it.") {
+    @Override
+    void derive(Derivation d) {
+      d.transfer(d.couple());
+    }
+  },
+  COUPLE_ON_ROOT("kappa + K.z of each degree of freedom.") {
+    @Override
+    void derive(Derivation d) {
+      d.couple();
+    }
+  },
+  TRANSFER("K as the parent feels it.") {
+    @Override
+    void derive(Derivation d) {
+      d.transfer(d.carried());
+    }
   };
 
   /** First input and output of the parent's block. */
@@ -283,6 +314,50 @@ public enum StepSweep {
       }
     }
 
+    void push() {
+      List<DegreeOfFreedom> freedoms = step.freedoms();
+      for (int k = 0; k < freedoms.size(); k++) {
+        DegreeOfFreedom freedom = freedoms.get(k);
+        int at = StepBlock.freedom(k);
+        LinkStep.Pushed of =
+            LinkStep.push(freedom, expressions.input(at), share(freedom, at), wrench, tau(k));
+        program.output(at + 1, of.rate());
+        wrench = of.rest();
+      }
+    }
+
+    private Wrench share(DegreeOfFreedom freedom, int at) {
+      return freedom.with(wrench(at + 2), expressions.one());
+    }
+
+    Wrench carried() {
+      Wrench carried = wrench(PARENT + CarriedWrench.BEFORE);
+      program.named("Kn", carried.moment());
+      program.named("Kf", carried.force());
+      return carried;
+    }
+
+    Wrench couple() {
+      Wrench carried = carried();
+      List<DegreeOfFreedom> freedoms = step.freedoms();
+      for (int k = 0; k < freedoms.size(); k++) {
+        int along = PARENT + CarriedWrench.ALONG + k;
+        DegreeOfFreedom freedom = freedoms.get(k);
+        LinkStep.Coupled of =
+            LinkStep.couple(
+                freedom, share(freedom, StepBlock.freedom(k)), carried, expressions.input(along));
+        program.output(along, of.along());
+        carried = of.rest();
+      }
+      return carried;
+    }
+
+    void transfer(Wrench carried) {
+      Wrench seen = step.toParent(carried);
+      put(PARENT + CarriedWrench.AFTER, seen.moment());
+      put(PARENT + CarriedWrench.AFTER + 3, seen.force());
+    }
+
     void accelerate() {
       Added a = step.fromParent(added(PARENT));
       List<DegreeOfFreedom> freedoms = step.freedoms();
@@ -290,8 +365,7 @@ public enum StepSweep {
       for (int k = freedoms.size() - 1; k >= 0; k--) {
         DegreeOfFreedom freedom = freedoms.get(k);
         int at = StepBlock.freedom(k);
-        Wrench share = freedom.with(wrench(at + 2), expressions.one());
-        Scalar rate = LinkStep.rate(expressions.input(at + 1), share, a);
+        Scalar rate = LinkStep.rate(expressions.input(at + 1), share(freedom, at), a);
         rates.add(0, rate);
         a = LinkStep.after(freedom, a, rate);
       }

@@ -137,7 +137,7 @@ class ArticulatedLoopsTest {
         sum += part;
         size += Math.abs(part);
       }
-      for (int row = 0; row < lambda.length; row++) {
+      for (int row = 0; row < work.loops.count(); row++) {
         double part = work.loops.jacobian.get(row, i) * lambda[row] / work.loops.size(row);
         sum += part;
         size += Math.abs(part);
@@ -149,7 +149,7 @@ class ArticulatedLoopsTest {
       }
     }
     double speed = Arrays.stream(x).map(Math::abs).max().orElse(0);
-    for (int row = 0; row < lambda.length; row++) {
+    for (int row = 0; row < work.loops.count(); row++) {
       double moved = work.loops.jacobian.product(row, x, 0) / work.loops.size(row);
       assertThat(Math.abs(moved) / (1 + speed)).isLessThan(1e-9);
     }

@@ -11,6 +11,8 @@ import org.mechservice.sim.equations.recursion.ParentTransform;
 import org.mechservice.solver.links.Link;
 import org.mechservice.solver.links.Links;
 import org.mechservice.solver.step.DegreeOfFreedom;
+import org.mechservice.solver.step.LinkStep;
+import org.mechservice.solver.step.LinkStep.Coupled;
 import org.mechservice.solver.step.LinkStep.Elimination;
 import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
@@ -106,10 +108,6 @@ final class LoopMultipliers implements CarriedEquations {
     }
   }
 
-  private static Wrench times(Wrench wrench, Scalar factor) {
-    return new Wrench(wrench.moment().times(factor), wrench.force().times(factor));
-  }
-
   @Override
   public void enter(int link, InertiaSweep sweep) {
     NavigableMap<Integer, Wrench> here = carried.get(link);
@@ -123,7 +121,7 @@ final class LoopMultipliers implements CarriedEquations {
           .get(place)
           .forEach(
               (after, factor) ->
-                  here.computeIfPresent(after, (key, k) -> k.minus(times(own, factor))));
+                  here.computeIfPresent(after, (key, k) -> k.minus(own.times(factor))));
       sweep.add(link, own, reciprocal, right[place]);
     }
   }
@@ -154,38 +152,31 @@ final class LoopMultipliers implements CarriedEquations {
 
   @Override
   public void eliminate(int link, DegreeOfFreedom freedom, Elimination of) {
-    NavigableMap<Integer, Scalar> along = new TreeMap<>();
+    NavigableMap<Integer, Coupled> along = new TreeMap<>();
     NavigableMap<Integer, Scalar> pushed = new TreeMap<>();
     carried
         .get(link)
         .forEach(
             (place, k) -> {
-              Scalar moved = freedom.along(k);
-              if (!meetsIn(place, link) && !moved.isZero()) {
-                along.put(place, moved);
-                pushed.put(place, moved.times(of.reciprocal()));
+              Coupled coupled = LinkStep.couple(freedom, of.share(), k, expressions.zero());
+              if (!meetsIn(place, link) && !coupled.along().isZero()) {
+                along.put(place, coupled);
+                pushed.put(place, coupled.along().times(of.reciprocal()));
               }
             });
     push.get(link).add(pushed);
     along.forEach(
-        (place, moved) -> {
-          Scalar part = moved.times(pushed.getOrDefault(place, expressions.zero()));
+        (place, coupled) -> {
+          Scalar moved = coupled.along();
+          Scalar share = pushed.getOrDefault(place, expressions.zero());
+          Scalar part = moved.times(share);
           pivot[place] = pivot[place].plus(part);
           whole[place] = whole[place].plus(part);
           right[place] = right[place].plus(moved.times(of.rate()));
           along
               .tailMap(place, false)
-              .forEach(
-                  (after, other) ->
-                      addLater(
-                          place,
-                          after,
-                          other.times(pushed.getOrDefault(place, expressions.zero()))));
-          carried
-              .get(link)
-              .computeIfPresent(
-                  place,
-                  (key, k) -> freedom.with(k.minus(times(of.share(), moved)), expressions.zero()));
+              .forEach((after, other) -> addLater(place, after, other.along().times(share)));
+          carried.get(link).put(place, coupled.rest());
         });
   }
 

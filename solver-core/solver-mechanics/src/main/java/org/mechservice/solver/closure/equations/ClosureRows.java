@@ -1,10 +1,12 @@
 package org.mechservice.solver.closure.equations;
 
 import java.util.BitSet;
+import java.util.Optional;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.kinematics.pair.RelativeMotion;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
@@ -86,6 +88,21 @@ abstract class ClosureRows {
    * @param tau one number per extended velocity; added to
    */
   abstract void addForces(int row, double multiplier, double[] wrench, double[] tau);
+
+  /** Returns the two bodies between which all equations act, if they act on nothing else. */
+  Optional<RelativeMotion> pair() {
+    return Optional.empty();
+  }
+
+  /**
+   * Writes the wrenches of a unit multiplier on the two bodies of {@link #pair}.
+   *
+   * @param onA [moment; force] in link axes at the reference point; overwritten
+   * @param onB likewise
+   */
+  void wrenches(int row, double[] onA, double[] onB) {
+    throw new IllegalStateException("the equations are not between two bodies alone");
+  }
 
   /**
    * Adds the derivatives of the multipliers' forces by poses of links and by coordinates.

@@ -4,11 +4,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.CountedPositions;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.kinematics.pair.RelativeMotion;
 import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
@@ -431,6 +433,22 @@ public final class LoopEquations {
     if (multiplier != 0) {
       closureOfRow[row].addForces(rowInClosure[row], multiplier, wrench, tau);
     }
+  }
+
+  /** Returns the two bodies between which an equation acts, if it acts on nothing else. */
+  public Optional<RelativeMotion> pair(int row) {
+    return closureOfRow[row].pair();
+  }
+
+  /**
+   * Writes the wrenches of a unit multiplier of an equation on the two bodies of {@link #pair},
+   * after {@link #place}.
+   *
+   * @param onA [moment; force] in link axes at the reference point; overwritten
+   * @param onB likewise
+   */
+  public void wrenches(int row, double[] onA, double[] onB) {
+    closureOfRow[row].wrenches(rowInClosure[row], onA, onB);
   }
 
   /**

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.ForceJacobian;
@@ -258,6 +259,16 @@ final class PairRows extends ClosureRows {
   @Override
   void addForces(int row, double multiplier, double[] wrench, double[] tau) {
     relative.addWrenches(functions[row].gradient, multiplier, wrench);
+  }
+
+  @Override
+  Optional<RelativeMotion> pair() {
+    return Optional.of(relative);
+  }
+
+  @Override
+  void wrenches(int row, double[] onA, double[] onB) {
+    relative.wrenches(functions[row].gradient, onA, onB);
   }
 
   @Override

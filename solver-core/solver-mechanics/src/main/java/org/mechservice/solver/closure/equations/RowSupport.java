@@ -1,6 +1,8 @@
 package org.mechservice.solver.closure.equations;
 
+import java.util.Arrays;
 import java.util.BitSet;
+import java.util.function.IntUnaryOperator;
 import org.mechservice.solver.kinematics.TreeGeometry;
 
 /**
@@ -32,6 +34,30 @@ public final class RowSupport {
       }
     }
     return new RowSupport(links, links, new BitSet());
+  }
+
+  /**
+   * Returns the same for links of another numbering.
+   *
+   * @param way the link whose joint is that of a link, or {@link TreeGeometry#ROOT} for none
+   * @param carrier the link that carries a link, or {@link TreeGeometry#ROOT}
+   */
+  public RowSupport of(IntUnaryOperator way, IntUnaryOperator carrier) {
+    return new RowSupport(
+        among(ways, way),
+        among(loaded, carrier),
+        Arrays.stream(velocities).collect(BitSet::new, BitSet::set, BitSet::or));
+  }
+
+  private static BitSet among(int[] links, IntUnaryOperator other) {
+    BitSet found = new BitSet();
+    for (int link : links) {
+      int is = other.applyAsInt(link);
+      if (is != TreeGeometry.ROOT) {
+        found.set(is);
+      }
+    }
+    return found;
   }
 
   /** Returns the links whose joints it depends on, ascending. */

@@ -86,8 +86,7 @@ final class RecursiveAccelerations {
    */
   Solved solve(double t, double[] a, int at) {
     if (factors.isEmpty() || !factors.get().areOf(partition.kept)) {
-      factors =
-          Optional.of(new ArticulatedLoops(work.motion, work.loops, partition.kept, work.rods));
+      makeFactors();
     }
     int factored = part > 0 ? ExplicitModel.REGULAR : factors.get().factor();
     if (part > 0 || factored >= 0) {
@@ -98,6 +97,14 @@ final class RecursiveAccelerations {
     }
     solve(a, at);
     return Solved.REGULAR;
+  }
+
+  private void makeFactors() {
+    factors =
+        Optional.of(
+            part > 0
+                ? ArticulatedLoops.withAdded(work.motion, work.loops, partition.kept, work.rods)
+                : new ArticulatedLoops(work.motion, work.loops, partition.kept, work.rods));
   }
 
   private void solve(double[] a, int at) {
@@ -117,6 +124,7 @@ final class RecursiveAccelerations {
       gap = new double[lambda.length];
       change = new double[work.nv];
       push = new double[lambda.length];
+      makeFactors();
     }
     ArticulatedLoops tree = factors.orElseThrow();
     double[] units = work.units.velocities;

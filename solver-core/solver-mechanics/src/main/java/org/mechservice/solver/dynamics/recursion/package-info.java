@@ -7,6 +7,8 @@
  *   <li>{@link org.mechservice.solver.dynamics.recursion.CompositeInertias}: the mass matrix.
  *   <li>{@link org.mechservice.solver.dynamics.recursion.TreeSteps}: accelerations of an open tree
  *       in O(n), and the forces for given ones, by printed steps.
+ *   <li>{@link org.mechservice.solver.dynamics.recursion.TreeElimination}: the same elimination of
+ *       joints link by link, for trees with the equations of loops.
  *   <li>{@link org.mechservice.solver.dynamics.recursion.MassiveRods}: rods with mass between two
  *       bodies, which belong to no joint.
  *   <li>{@link org.mechservice.solver.dynamics.recursion.LinkDerivatives}: derivatives of the

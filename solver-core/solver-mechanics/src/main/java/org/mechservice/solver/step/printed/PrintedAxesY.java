@@ -420,4 +420,81 @@ final class PrintedAxesY implements StepKernel {
   @Override
   public void forceOnRoot(double[] w, int i, int p) {
   }
+
+  @Override
+  public void push(double[] w, int i, int p) {
+    // u / D of each degree of freedom, with its D and U / D; p added to the parent.
+    double link__0 = w[i + 0];
+    double link__1 = w[i + 1];
+    double link__9 = w[i + 9];
+    double link__10 = w[i + 10];
+    double link__11 = w[i + 11];
+    double n_x = w[i + 47];
+    double n_z = w[i + 49];
+    double f_x = w[i + 50];
+    double f_y = w[i + 51];
+    double f_z = w[i + 52];
+    double push_1 = link__0 * f_z - link__1 * f_x;
+    double push_2 = link__1 * f_z + link__0 * f_x;
+    w[p + 47] = link__1 * n_z + link__0 * n_x + (link__10 * push_1 - link__11 * f_y) + w[p + 47];
+    w[p + 50] = push_2 + w[p + 50];
+    w[p + 48] = link__11 * push_2 - link__9 * push_1 + w[i + 48] + w[p + 48];
+    w[p + 51] = f_y + w[p + 51];
+    w[p + 49] = link__0 * n_z - link__1 * n_x + (link__9 * f_y - link__10 * push_2) + w[p + 49];
+    w[p + 52] = push_1 + w[p + 52];
+  }
+
+  @Override
+  public void pushOnRoot(double[] w, int i, int p) {
+  }
+
+  @Override
+  public void couple(double[] w, int i, int p) {
+    // kappa + K.z of each degree of freedom; K - (U / D) kappa as the parent feels it.
+    double link__0 = w[i + 0];
+    double link__1 = w[i + 1];
+    double link__9 = w[i + 9];
+    double link__10 = w[i + 10];
+    double link__11 = w[i + 11];
+    double Kn_x = w[p + 0];
+    double Kn_z = w[p + 2];
+    double Kf_x = w[p + 3];
+    double Kf_y = w[p + 4];
+    double Kf_z = w[p + 5];
+    double couple_1 = link__0 * Kf_z - link__1 * Kf_x;
+    double couple_2 = link__1 * Kf_z + link__0 * Kf_x;
+    w[p + 9] = link__1 * Kn_z + link__0 * Kn_x + (link__10 * couple_1 - link__11 * Kf_y);
+    w[p + 10] = link__11 * couple_2 - link__9 * couple_1 + w[p + 1];
+    w[p + 11] = link__0 * Kn_z - link__1 * Kn_x + (link__9 * Kf_y - link__10 * couple_2);
+    w[p + 12] = couple_2;
+    w[p + 13] = Kf_y;
+    w[p + 14] = couple_1;
+  }
+
+  @Override
+  public void coupleOnRoot(double[] w, int i, int p) {
+  }
+
+  @Override
+  public void transfer(double[] w, int i, int p) {
+    // K as the parent feels it.
+    double link__0 = w[i + 0];
+    double link__1 = w[i + 1];
+    double link__9 = w[i + 9];
+    double link__10 = w[i + 10];
+    double link__11 = w[i + 11];
+    double Kn_x = w[p + 0];
+    double Kn_z = w[p + 2];
+    double Kf_x = w[p + 3];
+    double Kf_y = w[p + 4];
+    double Kf_z = w[p + 5];
+    double transfer_1 = link__0 * Kf_z - link__1 * Kf_x;
+    double transfer_2 = link__1 * Kf_z + link__0 * Kf_x;
+    w[p + 9] = link__1 * Kn_z + link__0 * Kn_x + (link__10 * transfer_1 - link__11 * Kf_y);
+    w[p + 10] = link__11 * transfer_2 - link__9 * transfer_1 + w[p + 1];
+    w[p + 11] = link__0 * Kn_z - link__1 * Kn_x + (link__9 * Kf_y - link__10 * transfer_2);
+    w[p + 12] = transfer_2;
+    w[p + 13] = Kf_y;
+    w[p + 14] = transfer_1;
+  }
 }

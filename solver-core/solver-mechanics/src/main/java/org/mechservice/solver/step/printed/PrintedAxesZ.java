@@ -420,4 +420,81 @@ final class PrintedAxesZ implements StepKernel {
   @Override
   public void forceOnRoot(double[] w, int i, int p) {
   }
+
+  @Override
+  public void push(double[] w, int i, int p) {
+    // u / D of each degree of freedom, with its D and U / D; p added to the parent.
+    double link__0 = w[i + 0];
+    double link__1 = w[i + 1];
+    double link__9 = w[i + 9];
+    double link__10 = w[i + 10];
+    double link__11 = w[i + 11];
+    double n_x = w[i + 47];
+    double n_y = w[i + 48];
+    double f_x = w[i + 50];
+    double f_y = w[i + 51];
+    double f_z = w[i + 52];
+    double push_1 = link__0 * f_x - link__1 * f_y;
+    double push_2 = link__1 * f_x + link__0 * f_y;
+    w[p + 47] = link__0 * n_x - link__1 * n_y + (link__10 * f_z - link__11 * push_2) + w[p + 47];
+    w[p + 50] = push_1 + w[p + 50];
+    w[p + 48] = link__1 * n_x + link__0 * n_y + (link__11 * push_1 - link__9 * f_z) + w[p + 48];
+    w[p + 51] = push_2 + w[p + 51];
+    w[p + 49] = link__9 * push_2 - link__10 * push_1 + w[i + 49] + w[p + 49];
+    w[p + 52] = f_z + w[p + 52];
+  }
+
+  @Override
+  public void pushOnRoot(double[] w, int i, int p) {
+  }
+
+  @Override
+  public void couple(double[] w, int i, int p) {
+    // kappa + K.z of each degree of freedom; K - (U / D) kappa as the parent feels it.
+    double link__0 = w[i + 0];
+    double link__1 = w[i + 1];
+    double link__9 = w[i + 9];
+    double link__10 = w[i + 10];
+    double link__11 = w[i + 11];
+    double Kn_x = w[p + 0];
+    double Kn_y = w[p + 1];
+    double Kf_x = w[p + 3];
+    double Kf_y = w[p + 4];
+    double Kf_z = w[p + 5];
+    double couple_1 = link__0 * Kf_x - link__1 * Kf_y;
+    double couple_2 = link__1 * Kf_x + link__0 * Kf_y;
+    w[p + 9] = link__0 * Kn_x - link__1 * Kn_y + (link__10 * Kf_z - link__11 * couple_2);
+    w[p + 10] = link__1 * Kn_x + link__0 * Kn_y + (link__11 * couple_1 - link__9 * Kf_z);
+    w[p + 11] = link__9 * couple_2 - link__10 * couple_1 + w[p + 2];
+    w[p + 12] = couple_1;
+    w[p + 13] = couple_2;
+    w[p + 14] = Kf_z;
+  }
+
+  @Override
+  public void coupleOnRoot(double[] w, int i, int p) {
+  }
+
+  @Override
+  public void transfer(double[] w, int i, int p) {
+    // K as the parent feels it.
+    double link__0 = w[i + 0];
+    double link__1 = w[i + 1];
+    double link__9 = w[i + 9];
+    double link__10 = w[i + 10];
+    double link__11 = w[i + 11];
+    double Kn_x = w[p + 0];
+    double Kn_y = w[p + 1];
+    double Kf_x = w[p + 3];
+    double Kf_y = w[p + 4];
+    double Kf_z = w[p + 5];
+    double transfer_1 = link__0 * Kf_x - link__1 * Kf_y;
+    double transfer_2 = link__1 * Kf_x + link__0 * Kf_y;
+    w[p + 9] = link__0 * Kn_x - link__1 * Kn_y + (link__10 * Kf_z - link__11 * transfer_2);
+    w[p + 10] = link__1 * Kn_x + link__0 * Kn_y + (link__11 * transfer_1 - link__9 * Kf_z);
+    w[p + 11] = link__9 * transfer_2 - link__10 * transfer_1 + w[p + 2];
+    w[p + 12] = transfer_1;
+    w[p + 13] = transfer_2;
+    w[p + 14] = Kf_z;
+  }
 }

@@ -816,4 +816,194 @@ final class PrintedBall implements StepKernel {
     w[i + 132] = forceOnRoot_1 * w[i + 111] + forceOnRoot_2 * w[i + 112]
         + forceOnRoot_3 * w[i + 113];
   }
+
+  @Override
+  public void push(double[] w, int i, int p) {
+    // u / D of each degree of freedom, with its D and U / D; p added to the parent.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double tau_x = w[i + 102];
+    double tau_y = w[i + 103];
+    double tau_z = w[i + 104];
+    double R_xx = w[i + 105];
+    double R_xy = w[i + 106];
+    double R_xz = w[i + 107];
+    double R_yx = w[i + 108];
+    double R_yy = w[i + 109];
+    double R_yz = w[i + 110];
+    double R_zx = w[i + 111];
+    double R_zy = w[i + 112];
+    double R_zz = w[i + 113];
+    double push_1 = tau_x - w[i + 47];
+    double push_2 = tau_y - (w[i + 48] + w[i + 83] * push_1);
+    double push_3 = tau_z - (w[i + 49] + w[i + 84] * push_1 + w[i + 118] * push_2);
+    double push_4 = tau_x + w[i + 116] * push_2 + w[i + 124] * push_3;
+    double push_5 = tau_y + w[i + 125] * push_3;
+    double push_6 = w[i + 50] + w[i + 85] * push_1 + w[i + 119] * push_2 + w[i + 127] * push_3;
+    double push_7 = w[i + 51] + w[i + 86] * push_1 + w[i + 120] * push_2 + w[i + 128] * push_3;
+    double push_8 = w[i + 52] + w[i + 87] * push_1 + w[i + 121] * push_2 + w[i + 129] * push_3;
+    double push_9 = push_4 * R_xx + push_5 * R_xy + tau_z * R_xz;
+    double push_10 = push_4 * R_yx + push_5 * R_yy + tau_z * R_yz;
+    double push_11 = push_4 * R_zx + push_5 * R_zy + tau_z * R_zz;
+    double push_12 = push_6 * R_xx + push_7 * R_xy + push_8 * R_xz;
+    double push_13 = push_6 * R_yx + push_7 * R_yy + push_8 * R_yz;
+    double push_14 = push_6 * R_zx + push_7 * R_zy + push_8 * R_zz;
+    double push_15 = E_xx * push_12 + E_xy * push_13 + E_xz * push_14;
+    double push_16 = E_yx * push_12 + E_yy * push_13 + E_yz * push_14;
+    double push_17 = E_zx * push_12 + E_zy * push_13 + E_zz * push_14;
+    w[i + 81] = push_1 / w[i + 80];
+    w[i + 115] = push_2 / w[i + 114];
+    w[i + 123] = push_3 / w[i + 122];
+    w[p + 47] = E_xx * push_9 + E_xy * push_10 + E_xz * push_11 + (r_y * push_17 - r_z * push_16)
+        + w[p + 47];
+    w[p + 50] = push_15 + w[p + 50];
+    w[p + 48] = E_yx * push_9 + E_yy * push_10 + E_yz * push_11 + (r_z * push_15 - r_x * push_17)
+        + w[p + 48];
+    w[p + 51] = push_16 + w[p + 51];
+    w[p + 49] = E_zx * push_9 + E_zy * push_10 + E_zz * push_11 + (r_x * push_16 - r_y * push_15)
+        + w[p + 49];
+    w[p + 52] = push_17 + w[p + 52];
+  }
+
+  @Override
+  public void pushOnRoot(double[] w, int i, int p) {
+    // u / D of each degree of freedom, with its D and U / D.
+    double pushOnRoot_1 = w[i + 102] - w[i + 47];
+    double pushOnRoot_2 = w[i + 103] - (w[i + 48] + w[i + 83] * pushOnRoot_1);
+    w[i + 81] = pushOnRoot_1 / w[i + 80];
+    w[i + 115] = pushOnRoot_2 / w[i + 114];
+    w[i + 123] = (w[i + 104] - (w[i + 49] + w[i + 84] * pushOnRoot_1
+        + w[i + 118] * pushOnRoot_2)) / w[i + 122];
+  }
+
+  @Override
+  public void couple(double[] w, int i, int p) {
+    // kappa + K.z of each degree of freedom; K - (U / D) kappa as the parent feels it.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double above_6 = w[p + 6];
+    double above_7 = w[p + 7];
+    double above_8 = w[p + 8];
+    double R_xx = w[i + 105];
+    double R_xy = w[i + 106];
+    double R_xz = w[i + 107];
+    double R_yx = w[i + 108];
+    double R_yy = w[i + 109];
+    double R_yz = w[i + 110];
+    double R_zx = w[i + 111];
+    double R_zy = w[i + 112];
+    double R_zz = w[i + 113];
+    double couple_1 = w[p + 0] + above_6;
+    double couple_2 = w[p + 1] - w[i + 83] * couple_1 + above_7;
+    double couple_3 = w[p + 2] - w[i + 84] * couple_1 - w[i + 118] * couple_2 + above_8;
+    double couple_4 = above_6 + w[i + 116] * couple_2 + w[i + 124] * couple_3;
+    double couple_5 = above_7 + w[i + 125] * couple_3;
+    double couple_6 = w[p + 3] - w[i + 85] * couple_1 - w[i + 119] * couple_2
+        - w[i + 127] * couple_3;
+    double couple_7 = w[p + 4] - w[i + 86] * couple_1 - w[i + 120] * couple_2
+        - w[i + 128] * couple_3;
+    double couple_8 = w[p + 5] - w[i + 87] * couple_1 - w[i + 121] * couple_2
+        - w[i + 129] * couple_3;
+    double couple_9 = couple_4 * R_xx + couple_5 * R_xy + above_8 * R_xz;
+    double couple_10 = couple_4 * R_yx + couple_5 * R_yy + above_8 * R_yz;
+    double couple_11 = couple_4 * R_zx + couple_5 * R_zy + above_8 * R_zz;
+    double couple_12 = couple_6 * R_xx + couple_7 * R_xy + couple_8 * R_xz;
+    double couple_13 = couple_6 * R_yx + couple_7 * R_yy + couple_8 * R_yz;
+    double couple_14 = couple_6 * R_zx + couple_7 * R_zy + couple_8 * R_zz;
+    double couple_15 = E_xx * couple_12 + E_xy * couple_13 + E_xz * couple_14;
+    double couple_16 = E_yx * couple_12 + E_yy * couple_13 + E_yz * couple_14;
+    double couple_17 = E_zx * couple_12 + E_zy * couple_13 + E_zz * couple_14;
+    w[p + 6] = couple_1;
+    w[p + 7] = couple_2;
+    w[p + 8] = couple_3;
+    w[p + 9] = r_y * couple_17 - r_z * couple_16 - (E_xx * couple_9 + E_xy * couple_10
+        + E_xz * couple_11);
+    w[p + 10] = r_z * couple_15 - r_x * couple_17 - (E_yx * couple_9 + E_yy * couple_10
+        + E_yz * couple_11);
+    w[p + 11] = r_x * couple_16 - r_y * couple_15 - (E_zx * couple_9 + E_zy * couple_10
+        + E_zz * couple_11);
+    w[p + 12] = couple_15;
+    w[p + 13] = couple_16;
+    w[p + 14] = couple_17;
+  }
+
+  @Override
+  public void coupleOnRoot(double[] w, int i, int p) {
+    // kappa + K.z of each degree of freedom.
+    double coupleOnRoot_1 = w[p + 0] + w[p + 6];
+    double coupleOnRoot_2 = w[p + 1] - w[i + 83] * coupleOnRoot_1 + w[p + 7];
+    w[p + 6] = coupleOnRoot_1;
+    w[p + 7] = coupleOnRoot_2;
+    w[p + 8] = w[p + 2] - w[i + 84] * coupleOnRoot_1 - w[i + 118] * coupleOnRoot_2 + w[p + 8];
+  }
+
+  @Override
+  public void transfer(double[] w, int i, int p) {
+    // K as the parent feels it.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double Kn_x = w[p + 0];
+    double Kn_y = w[p + 1];
+    double Kn_z = w[p + 2];
+    double Kf_x = w[p + 3];
+    double Kf_y = w[p + 4];
+    double Kf_z = w[p + 5];
+    double R_xx = w[i + 105];
+    double R_xy = w[i + 106];
+    double R_xz = w[i + 107];
+    double R_yx = w[i + 108];
+    double R_yy = w[i + 109];
+    double R_yz = w[i + 110];
+    double R_zx = w[i + 111];
+    double R_zy = w[i + 112];
+    double R_zz = w[i + 113];
+    double transfer_1 = Kn_x * R_xx + Kn_y * R_xy + Kn_z * R_xz;
+    double transfer_2 = Kn_x * R_yx + Kn_y * R_yy + Kn_z * R_yz;
+    double transfer_3 = Kn_x * R_zx + Kn_y * R_zy + Kn_z * R_zz;
+    double transfer_4 = Kf_x * R_xx + Kf_y * R_xy + Kf_z * R_xz;
+    double transfer_5 = Kf_x * R_yx + Kf_y * R_yy + Kf_z * R_yz;
+    double transfer_6 = Kf_x * R_zx + Kf_y * R_zy + Kf_z * R_zz;
+    double transfer_7 = E_xx * transfer_4 + E_xy * transfer_5 + E_xz * transfer_6;
+    double transfer_8 = E_yx * transfer_4 + E_yy * transfer_5 + E_yz * transfer_6;
+    double transfer_9 = E_zx * transfer_4 + E_zy * transfer_5 + E_zz * transfer_6;
+    w[p + 9] = E_xx * transfer_1 + E_xy * transfer_2 + E_xz * transfer_3 + (r_y * transfer_9
+        - r_z * transfer_8);
+    w[p + 10] = E_yx * transfer_1 + E_yy * transfer_2 + E_yz * transfer_3 + (r_z * transfer_7
+        - r_x * transfer_9);
+    w[p + 11] = E_zx * transfer_1 + E_zy * transfer_2 + E_zz * transfer_3 + (r_x * transfer_8
+        - r_y * transfer_7);
+    w[p + 12] = transfer_7;
+    w[p + 13] = transfer_8;
+    w[p + 14] = transfer_9;
+  }
 }

@@ -922,4 +922,196 @@ final class PrintedBallBackArmed implements StepKernel {
     w[i + 131] = A * w[i + 100] - (w[i + 48] - w[i + 103]);
     w[i + 132] = A * w[i + 101] - (w[i + 49] - w[i + 104]);
   }
+
+  @Override
+  public void push(double[] w, int i, int p) {
+    // u / D of each degree of freedom, with its D and U / D; p added to the parent.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double n_x = w[i + 47];
+    double R_xx = w[i + 105];
+    double R_xy = w[i + 106];
+    double R_xz = w[i + 107];
+    double R_yx = w[i + 108];
+    double R_yy = w[i + 109];
+    double R_yz = w[i + 110];
+    double R_zx = w[i + 111];
+    double R_zy = w[i + 112];
+    double R_zz = w[i + 113];
+    double push_1 = w[i + 102] - n_x;
+    double push_2 = w[i + 48] + w[i + 83] * push_1;
+    double push_3 = w[i + 103] - push_2;
+    double push_4 = w[i + 49] + w[i + 84] * push_1 + w[i + 118] * push_3;
+    double push_5 = w[i + 104] - push_4;
+    double push_6 = n_x + w[i + 82] * push_1 + w[i + 116] * push_3 + w[i + 124] * push_5;
+    double push_7 = push_2 + w[i + 117] * push_3 + w[i + 125] * push_5;
+    double push_8 = push_4 + w[i + 126] * push_5;
+    double push_9 = w[i + 50] + w[i + 85] * push_1 + w[i + 119] * push_3 + w[i + 127] * push_5;
+    double push_10 = w[i + 51] + w[i + 86] * push_1 + w[i + 120] * push_3 + w[i + 128] * push_5;
+    double push_11 = w[i + 52] + w[i + 87] * push_1 + w[i + 121] * push_3 + w[i + 129] * push_5;
+    double push_12 = push_6 * R_xx + push_7 * R_xy + push_8 * R_xz;
+    double push_13 = push_6 * R_yx + push_7 * R_yy + push_8 * R_yz;
+    double push_14 = push_6 * R_zx + push_7 * R_zy + push_8 * R_zz;
+    double push_15 = push_9 * R_xx + push_10 * R_xy + push_11 * R_xz;
+    double push_16 = push_9 * R_yx + push_10 * R_yy + push_11 * R_yz;
+    double push_17 = push_9 * R_zx + push_10 * R_zy + push_11 * R_zz;
+    double push_18 = E_xx * push_15 + E_xy * push_16 + E_xz * push_17;
+    double push_19 = E_yx * push_15 + E_yy * push_16 + E_yz * push_17;
+    double push_20 = E_zx * push_15 + E_zy * push_16 + E_zz * push_17;
+    w[i + 81] = push_1 / w[i + 80];
+    w[i + 115] = push_3 / w[i + 114];
+    w[i + 123] = push_5 / w[i + 122];
+    w[p + 47] = E_xx * push_12 + E_xy * push_13 + E_xz * push_14 + (r_y * push_20 - r_z * push_19)
+        + w[p + 47];
+    w[p + 50] = push_18 + w[p + 50];
+    w[p + 48] = E_yx * push_12 + E_yy * push_13 + E_yz * push_14 + (r_z * push_18 - r_x * push_20)
+        + w[p + 48];
+    w[p + 51] = push_19 + w[p + 51];
+    w[p + 49] = E_zx * push_12 + E_zy * push_13 + E_zz * push_14 + (r_x * push_19 - r_y * push_18)
+        + w[p + 49];
+    w[p + 52] = push_20 + w[p + 52];
+  }
+
+  @Override
+  public void pushOnRoot(double[] w, int i, int p) {
+    // u / D of each degree of freedom, with its D and U / D.
+    double pushOnRoot_1 = w[i + 102] - w[i + 47];
+    double pushOnRoot_2 = w[i + 103] - (w[i + 48] + w[i + 83] * pushOnRoot_1);
+    w[i + 81] = pushOnRoot_1 / w[i + 80];
+    w[i + 115] = pushOnRoot_2 / w[i + 114];
+    w[i + 123] = (w[i + 104] - (w[i + 49] + w[i + 84] * pushOnRoot_1
+        + w[i + 118] * pushOnRoot_2)) / w[i + 122];
+  }
+
+  @Override
+  public void couple(double[] w, int i, int p) {
+    // kappa + K.z of each degree of freedom; K - (U / D) kappa as the parent feels it.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double Kn_x = w[p + 0];
+    double R_xx = w[i + 105];
+    double R_xy = w[i + 106];
+    double R_xz = w[i + 107];
+    double R_yx = w[i + 108];
+    double R_yy = w[i + 109];
+    double R_yz = w[i + 110];
+    double R_zx = w[i + 111];
+    double R_zy = w[i + 112];
+    double R_zz = w[i + 113];
+    double couple_1 = Kn_x + w[p + 6];
+    double couple_2 = w[p + 1] - w[i + 83] * couple_1;
+    double couple_3 = couple_2 + w[p + 7];
+    double couple_4 = w[p + 2] - w[i + 84] * couple_1 - w[i + 118] * couple_3;
+    double couple_5 = couple_4 + w[p + 8];
+    double couple_6 = Kn_x - w[i + 82] * couple_1 - w[i + 116] * couple_3 - w[i + 124] * couple_5;
+    double couple_7 = couple_2 - w[i + 117] * couple_3 - w[i + 125] * couple_5;
+    double couple_8 = couple_4 - w[i + 126] * couple_5;
+    double couple_9 = w[p + 3] - w[i + 85] * couple_1 - w[i + 119] * couple_3
+        - w[i + 127] * couple_5;
+    double couple_10 = w[p + 4] - w[i + 86] * couple_1 - w[i + 120] * couple_3
+        - w[i + 128] * couple_5;
+    double couple_11 = w[p + 5] - w[i + 87] * couple_1 - w[i + 121] * couple_3
+        - w[i + 129] * couple_5;
+    double couple_12 = couple_6 * R_xx + couple_7 * R_xy + couple_8 * R_xz;
+    double couple_13 = couple_6 * R_yx + couple_7 * R_yy + couple_8 * R_yz;
+    double couple_14 = couple_6 * R_zx + couple_7 * R_zy + couple_8 * R_zz;
+    double couple_15 = couple_9 * R_xx + couple_10 * R_xy + couple_11 * R_xz;
+    double couple_16 = couple_9 * R_yx + couple_10 * R_yy + couple_11 * R_yz;
+    double couple_17 = couple_9 * R_zx + couple_10 * R_zy + couple_11 * R_zz;
+    double couple_18 = E_xx * couple_15 + E_xy * couple_16 + E_xz * couple_17;
+    double couple_19 = E_yx * couple_15 + E_yy * couple_16 + E_yz * couple_17;
+    double couple_20 = E_zx * couple_15 + E_zy * couple_16 + E_zz * couple_17;
+    w[p + 6] = couple_1;
+    w[p + 7] = couple_3;
+    w[p + 8] = couple_5;
+    w[p + 9] = E_xx * couple_12 + E_xy * couple_13 + E_xz * couple_14 + (r_y * couple_20
+        - r_z * couple_19);
+    w[p + 10] = E_yx * couple_12 + E_yy * couple_13 + E_yz * couple_14 + (r_z * couple_18
+        - r_x * couple_20);
+    w[p + 11] = E_zx * couple_12 + E_zy * couple_13 + E_zz * couple_14 + (r_x * couple_19
+        - r_y * couple_18);
+    w[p + 12] = couple_18;
+    w[p + 13] = couple_19;
+    w[p + 14] = couple_20;
+  }
+
+  @Override
+  public void coupleOnRoot(double[] w, int i, int p) {
+    // kappa + K.z of each degree of freedom.
+    double coupleOnRoot_1 = w[p + 0] + w[p + 6];
+    double coupleOnRoot_2 = w[p + 1] - w[i + 83] * coupleOnRoot_1 + w[p + 7];
+    w[p + 6] = coupleOnRoot_1;
+    w[p + 7] = coupleOnRoot_2;
+    w[p + 8] = w[p + 2] - w[i + 84] * coupleOnRoot_1 - w[i + 118] * coupleOnRoot_2 + w[p + 8];
+  }
+
+  @Override
+  public void transfer(double[] w, int i, int p) {
+    // K as the parent feels it.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double Kn_x = w[p + 0];
+    double Kn_y = w[p + 1];
+    double Kn_z = w[p + 2];
+    double Kf_x = w[p + 3];
+    double Kf_y = w[p + 4];
+    double Kf_z = w[p + 5];
+    double R_xx = w[i + 105];
+    double R_xy = w[i + 106];
+    double R_xz = w[i + 107];
+    double R_yx = w[i + 108];
+    double R_yy = w[i + 109];
+    double R_yz = w[i + 110];
+    double R_zx = w[i + 111];
+    double R_zy = w[i + 112];
+    double R_zz = w[i + 113];
+    double transfer_1 = Kn_x * R_xx + Kn_y * R_xy + Kn_z * R_xz;
+    double transfer_2 = Kn_x * R_yx + Kn_y * R_yy + Kn_z * R_yz;
+    double transfer_3 = Kn_x * R_zx + Kn_y * R_zy + Kn_z * R_zz;
+    double transfer_4 = Kf_x * R_xx + Kf_y * R_xy + Kf_z * R_xz;
+    double transfer_5 = Kf_x * R_yx + Kf_y * R_yy + Kf_z * R_yz;
+    double transfer_6 = Kf_x * R_zx + Kf_y * R_zy + Kf_z * R_zz;
+    double transfer_7 = E_xx * transfer_4 + E_xy * transfer_5 + E_xz * transfer_6;
+    double transfer_8 = E_yx * transfer_4 + E_yy * transfer_5 + E_yz * transfer_6;
+    double transfer_9 = E_zx * transfer_4 + E_zy * transfer_5 + E_zz * transfer_6;
+    w[p + 9] = E_xx * transfer_1 + E_xy * transfer_2 + E_xz * transfer_3 + (r_y * transfer_9
+        - r_z * transfer_8);
+    w[p + 10] = E_yx * transfer_1 + E_yy * transfer_2 + E_yz * transfer_3 + (r_z * transfer_7
+        - r_x * transfer_9);
+    w[p + 11] = E_zx * transfer_1 + E_zy * transfer_2 + E_zz * transfer_3 + (r_x * transfer_8
+        - r_y * transfer_7);
+    w[p + 12] = transfer_7;
+    w[p + 13] = transfer_8;
+    w[p + 14] = transfer_9;
+  }
 }

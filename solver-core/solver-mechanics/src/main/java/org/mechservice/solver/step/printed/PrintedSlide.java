@@ -599,4 +599,128 @@ final class PrintedSlide implements StepKernel {
     // p.z - tau of each degree of freedom.
     w[i + 94] = w[i + 52] - w[i + 37];
   }
+
+  @Override
+  public void push(double[] w, int i, int p) {
+    // u / D of each degree of freedom, with its D and U / D; p added to the parent.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double tau = w[i + 37];
+    double q = w[i + 32];
+    double push_1 = tau - w[i + 52];
+    double push_2 = w[i + 49] + w[i + 84] * push_1;
+    double push_3 = w[i + 50] + w[i + 85] * push_1;
+    double push_4 = w[i + 51] + w[i + 86] * push_1;
+    double push_5 = w[i + 47] + w[i + 82] * push_1 - push_4 * q;
+    double push_6 = w[i + 48] + w[i + 83] * push_1 + push_3 * q;
+    double push_7 = E_xx * push_3 + E_xy * push_4 + E_xz * tau;
+    double push_8 = E_yx * push_3 + E_yy * push_4 + E_yz * tau;
+    double push_9 = E_zx * push_3 + E_zy * push_4 + E_zz * tau;
+    w[i + 81] = push_1 / w[i + 80];
+    w[p + 47] = E_xx * push_5 + E_xy * push_6 + E_xz * push_2 + (r_y * push_9 - r_z * push_8)
+        + w[p + 47];
+    w[p + 50] = push_7 + w[p + 50];
+    w[p + 48] = E_yx * push_5 + E_yy * push_6 + E_yz * push_2 + (r_z * push_7 - r_x * push_9)
+        + w[p + 48];
+    w[p + 51] = push_8 + w[p + 51];
+    w[p + 49] = E_zx * push_5 + E_zy * push_6 + E_zz * push_2 + (r_x * push_8 - r_y * push_7)
+        + w[p + 49];
+    w[p + 52] = push_9 + w[p + 52];
+  }
+
+  @Override
+  public void pushOnRoot(double[] w, int i, int p) {
+    // u / D of each degree of freedom, with its D and U / D.
+    w[i + 81] = (w[i + 37] - w[i + 52]) / w[i + 80];
+  }
+
+  @Override
+  public void couple(double[] w, int i, int p) {
+    // kappa + K.z of each degree of freedom; K - (U / D) kappa as the parent feels it.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double above_6 = w[p + 6];
+    double q = w[i + 32];
+    double couple_1 = w[p + 5] + above_6;
+    double couple_2 = w[p + 2] - w[i + 84] * couple_1;
+    double couple_3 = w[p + 3] - w[i + 85] * couple_1;
+    double couple_4 = w[p + 4] - w[i + 86] * couple_1;
+    double couple_5 = w[p + 0] - w[i + 82] * couple_1 - couple_4 * q;
+    double couple_6 = w[p + 1] - w[i + 83] * couple_1 + couple_3 * q;
+    double couple_7 = E_xx * couple_3 + E_xy * couple_4 - E_xz * above_6;
+    double couple_8 = E_yx * couple_3 + E_yy * couple_4 - E_yz * above_6;
+    double couple_9 = E_zx * couple_3 + E_zy * couple_4 - E_zz * above_6;
+    w[p + 6] = couple_1;
+    w[p + 9] = E_xx * couple_5 + E_xy * couple_6 + E_xz * couple_2 + (r_y * couple_9
+        - r_z * couple_8);
+    w[p + 10] = E_yx * couple_5 + E_yy * couple_6 + E_yz * couple_2 + (r_z * couple_7
+        - r_x * couple_9);
+    w[p + 11] = E_zx * couple_5 + E_zy * couple_6 + E_zz * couple_2 + (r_x * couple_8
+        - r_y * couple_7);
+    w[p + 12] = couple_7;
+    w[p + 13] = couple_8;
+    w[p + 14] = couple_9;
+  }
+
+  @Override
+  public void coupleOnRoot(double[] w, int i, int p) {
+    // kappa + K.z of each degree of freedom.
+    w[p + 6] = w[p + 5] + w[p + 6];
+  }
+
+  @Override
+  public void transfer(double[] w, int i, int p) {
+    // K as the parent feels it.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double Kn_z = w[p + 2];
+    double Kf_x = w[p + 3];
+    double Kf_y = w[p + 4];
+    double Kf_z = w[p + 5];
+    double q = w[i + 32];
+    double transfer_1 = w[p + 0] - Kf_y * q;
+    double transfer_2 = w[p + 1] + Kf_x * q;
+    double transfer_3 = E_xx * Kf_x + E_xy * Kf_y + E_xz * Kf_z;
+    double transfer_4 = E_yx * Kf_x + E_yy * Kf_y + E_yz * Kf_z;
+    double transfer_5 = E_zx * Kf_x + E_zy * Kf_y + E_zz * Kf_z;
+    w[p + 9] = E_xx * transfer_1 + E_xy * transfer_2 + E_xz * Kn_z + (r_y * transfer_5
+        - r_z * transfer_4);
+    w[p + 10] = E_yx * transfer_1 + E_yy * transfer_2 + E_yz * Kn_z + (r_z * transfer_3
+        - r_x * transfer_5);
+    w[p + 11] = E_zx * transfer_1 + E_zy * transfer_2 + E_zz * Kn_z + (r_x * transfer_4
+        - r_y * transfer_3);
+    w[p + 12] = transfer_3;
+    w[p + 13] = transfer_4;
+    w[p + 14] = transfer_5;
+  }
 }

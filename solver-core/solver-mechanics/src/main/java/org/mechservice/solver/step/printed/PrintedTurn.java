@@ -667,4 +667,143 @@ final class PrintedTurn implements StepKernel {
     // p.z - tau of each degree of freedom.
     w[i + 94] = w[i + 49] - w[i + 37];
   }
+
+  @Override
+  public void push(double[] w, int i, int p) {
+    // u / D of each degree of freedom, with its D and U / D; p added to the parent.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double tau = w[i + 37];
+    double cos = w[i + 33];
+    double sin = w[i + 34];
+    double push_1 = tau - w[i + 49];
+    double push_2 = w[i + 47] + w[i + 82] * push_1;
+    double push_3 = w[i + 48] + w[i + 83] * push_1;
+    double push_4 = w[i + 50] + w[i + 85] * push_1;
+    double push_5 = w[i + 51] + w[i + 86] * push_1;
+    double push_6 = w[i + 52] + w[i + 87] * push_1;
+    double push_7 = push_2 * cos - push_3 * sin;
+    double push_8 = push_2 * sin + push_3 * cos;
+    double push_9 = push_4 * cos - push_5 * sin;
+    double push_10 = push_4 * sin + push_5 * cos;
+    double push_11 = E_xx * push_9 + E_xy * push_10 + E_xz * push_6;
+    double push_12 = E_yx * push_9 + E_yy * push_10 + E_yz * push_6;
+    double push_13 = E_zx * push_9 + E_zy * push_10 + E_zz * push_6;
+    w[i + 81] = push_1 / w[i + 80];
+    w[p + 47] = E_xx * push_7 + E_xy * push_8 + E_xz * tau + (r_y * push_13 - r_z * push_12)
+        + w[p + 47];
+    w[p + 50] = push_11 + w[p + 50];
+    w[p + 48] = E_yx * push_7 + E_yy * push_8 + E_yz * tau + (r_z * push_11 - r_x * push_13)
+        + w[p + 48];
+    w[p + 51] = push_12 + w[p + 51];
+    w[p + 49] = E_zx * push_7 + E_zy * push_8 + E_zz * tau + (r_x * push_12 - r_y * push_11)
+        + w[p + 49];
+    w[p + 52] = push_13 + w[p + 52];
+  }
+
+  @Override
+  public void pushOnRoot(double[] w, int i, int p) {
+    // u / D of each degree of freedom, with its D and U / D.
+    w[i + 81] = (w[i + 37] - w[i + 49]) / w[i + 80];
+  }
+
+  @Override
+  public void couple(double[] w, int i, int p) {
+    // kappa + K.z of each degree of freedom; K - (U / D) kappa as the parent feels it.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double above_6 = w[p + 6];
+    double cos = w[i + 33];
+    double sin = w[i + 34];
+    double couple_1 = w[p + 2] + above_6;
+    double couple_2 = w[p + 0] - w[i + 82] * couple_1;
+    double couple_3 = w[p + 1] - w[i + 83] * couple_1;
+    double couple_4 = w[p + 3] - w[i + 85] * couple_1;
+    double couple_5 = w[p + 4] - w[i + 86] * couple_1;
+    double couple_6 = w[p + 5] - w[i + 87] * couple_1;
+    double couple_7 = couple_2 * cos - couple_3 * sin;
+    double couple_8 = couple_2 * sin + couple_3 * cos;
+    double couple_9 = couple_4 * cos - couple_5 * sin;
+    double couple_10 = couple_4 * sin + couple_5 * cos;
+    double couple_11 = E_xx * couple_9 + E_xy * couple_10 + E_xz * couple_6;
+    double couple_12 = E_yx * couple_9 + E_yy * couple_10 + E_yz * couple_6;
+    double couple_13 = E_zx * couple_9 + E_zy * couple_10 + E_zz * couple_6;
+    w[p + 6] = couple_1;
+    w[p + 9] = E_xx * couple_7 + E_xy * couple_8 - E_xz * above_6 + (r_y * couple_13
+        - r_z * couple_12);
+    w[p + 10] = E_yx * couple_7 + E_yy * couple_8 - E_yz * above_6 + (r_z * couple_11
+        - r_x * couple_13);
+    w[p + 11] = E_zx * couple_7 + E_zy * couple_8 - E_zz * above_6 + (r_x * couple_12
+        - r_y * couple_11);
+    w[p + 12] = couple_11;
+    w[p + 13] = couple_12;
+    w[p + 14] = couple_13;
+  }
+
+  @Override
+  public void coupleOnRoot(double[] w, int i, int p) {
+    // kappa + K.z of each degree of freedom.
+    w[p + 6] = w[p + 2] + w[p + 6];
+  }
+
+  @Override
+  public void transfer(double[] w, int i, int p) {
+    // K as the parent feels it.
+    double E_xx = w[i + 0];
+    double E_xy = w[i + 1];
+    double E_xz = w[i + 2];
+    double E_yx = w[i + 3];
+    double E_yy = w[i + 4];
+    double E_yz = w[i + 5];
+    double E_zx = w[i + 6];
+    double E_zy = w[i + 7];
+    double E_zz = w[i + 8];
+    double r_x = w[i + 9];
+    double r_y = w[i + 10];
+    double r_z = w[i + 11];
+    double Kn_x = w[p + 0];
+    double Kn_y = w[p + 1];
+    double Kn_z = w[p + 2];
+    double Kf_x = w[p + 3];
+    double Kf_y = w[p + 4];
+    double Kf_z = w[p + 5];
+    double cos = w[i + 33];
+    double sin = w[i + 34];
+    double transfer_1 = Kn_x * cos - Kn_y * sin;
+    double transfer_2 = Kn_x * sin + Kn_y * cos;
+    double transfer_3 = Kf_x * cos - Kf_y * sin;
+    double transfer_4 = Kf_x * sin + Kf_y * cos;
+    double transfer_5 = E_xx * transfer_3 + E_xy * transfer_4 + E_xz * Kf_z;
+    double transfer_6 = E_yx * transfer_3 + E_yy * transfer_4 + E_yz * Kf_z;
+    double transfer_7 = E_zx * transfer_3 + E_zy * transfer_4 + E_zz * Kf_z;
+    w[p + 9] = E_xx * transfer_1 + E_xy * transfer_2 + E_xz * Kn_z + (r_y * transfer_7
+        - r_z * transfer_6);
+    w[p + 10] = E_yx * transfer_1 + E_yy * transfer_2 + E_yz * Kn_z + (r_z * transfer_5
+        - r_x * transfer_7);
+    w[p + 11] = E_zx * transfer_1 + E_zy * transfer_2 + E_zz * Kn_z + (r_x * transfer_6
+        - r_y * transfer_5);
+    w[p + 12] = transfer_5;
+    w[p + 13] = transfer_6;
+    w[p + 14] = transfer_7;
+  }
 }
