@@ -58,6 +58,42 @@ class ArticulatedLoopsTest {
     assertThat(factors.areOf(partition.kept)).isTrue();
     assertThat(factors.factor()).isEqualTo(ExplicitModel.REGULAR);
 
+    assertSolves(factors, whole(work, partition.kept), work, partition.kept);
+  }
+
+  /**
+   * Windows whose couplers have no mass: their joints have no pivot before the loops are closed.
+   */
+  @Test
+  void inertiaIsAddedToJointsThatMoveNoneAlone() {
+    int count = 8;
+    ClosedMechanism closed = new ClosedMechanism(Linkages.windows(count, 1, 0), "DSR", SETTINGS);
+    ProjectionModel model = new ProjectionModel(closed, UserForceSource.NONE);
+    int[] kept = model.completion.ofVelocities().kept;
+    ClosedTree work = model.work;
+    work.place(closed.start().time(), closed.start().state());
+    work.formMass();
+    assertThat(new ArticulatedLoops(work.motion, work.loops, kept, work.rods).factor())
+        .isNotNegative();
+
+    ArticulatedLoops factors = ArticulatedLoops.withAdded(work.motion, work.loops, kept, work.rods);
+    double[] least = new double[work.nv];
+    Arrays.setAll(least, k -> 0.25 + 0.01 * k);
+    for (int again = 0; again < 2; again++) {
+      double[] added = new double[work.nv];
+      assertThat(factors.factor(added, least)).isEqualTo(ExplicitModel.REGULAR);
+      assertThat(Arrays.stream(added).filter(inertia -> inertia > 0).count()).isEqualTo(count);
+      RealMatrix whole = whole(work, kept);
+      for (int k = 0; k < added.length; k++) {
+        assertThat(added[k]).isIn(0.0, least[k]);
+        whole.addToEntry(k, k, added[k]);
+      }
+      assertSolves(factors, whole, work, kept);
+    }
+  }
+
+  private static void assertSolves(
+      ArticulatedLoops factors, RealMatrix whole, ClosedTree work, int[] kept) {
     Random random = new Random(1);
     double[] force = random.doubles(work.nv, -1, 1).toArray();
     double[] offset = random.doubles(work.loops.count(), -1, 1).toArray();
@@ -65,20 +101,19 @@ class ArticulatedLoopsTest {
     double[] lambda = new double[work.loops.count()];
     factors.solve(force, offset, x, 0, lambda);
 
-    RealMatrix whole = whole(work, partition.kept);
     RealVector right = new ArrayRealVector(whole.getRowDimension());
     for (int i = 0; i < work.nv; i++) {
       right.setEntry(i, force[i]);
     }
-    for (int i = 0; i < partition.kept.length; i++) {
-      right.setEntry(work.nv + i, -offset[partition.kept[i]]);
+    for (int i = 0; i < kept.length; i++) {
+      right.setEntry(work.nv + i, -offset[kept[i]]);
     }
     RealVector found = new ArrayRealVector(whole.getRowDimension());
     for (int i = 0; i < work.nv; i++) {
       found.setEntry(i, x[i]);
     }
-    for (int i = 0; i < partition.kept.length; i++) {
-      found.setEntry(work.nv + i, lambda[partition.kept[i]]);
+    for (int i = 0; i < kept.length; i++) {
+      found.setEntry(work.nv + i, lambda[kept[i]]);
     }
     double left = whole.operate(found).subtract(right).getLInfNorm();
     double size = whole.getNorm() * found.getLInfNorm() + right.getLInfNorm();
