@@ -8,11 +8,13 @@ import java.util.List;
 import java.util.Map;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.admin.AdminFailure.Reason;
 import org.mechservice.idl.SimState;
 
 /** The console asks over CORBA what a scripted server answers. */
+@Tag("slow")
 class AdminConsoleTest {
   private static final Duration PATIENCE = Duration.ofSeconds(60);
 

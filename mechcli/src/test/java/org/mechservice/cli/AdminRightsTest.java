@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.shell.ExitStatus;
@@ -18,6 +19,7 @@ import org.mechservice.server.hosts.PlacementPolicy;
 import org.mechservice.sim.host.HostOptions;
 
 /** Who may administer a server over TLS, with the keys that {@code mech keys} makes. */
+@Tag("slow")
 class AdminRightsTest {
   private final StringWriter out = new StringWriter();
   private final StringWriter err = new StringWriter();

@@ -50,6 +50,7 @@ import org.mechservice.sim.host.SimHostProcess;
  * server east    host e1            the same
  * </pre>
  */
+@Tag("slow")
 class AdminSessionTest {
   private static final Path MODEL = Path.of("../examples/pendulum/pendulum.xml");
 

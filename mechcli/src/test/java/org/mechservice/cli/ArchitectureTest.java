@@ -24,11 +24,13 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Which module may depend on which, and within the solver which package on which. */
+@Tag("slow")
 class ArchitectureTest {
   private static final String ROOT = "org.mechservice.";
   private static final String SOLVER = ROOT + "solver.";

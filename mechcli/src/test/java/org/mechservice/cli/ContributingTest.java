@@ -19,10 +19,12 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collector;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The picture of modules and packages in CONTRIBUTING.md is the one in the code. */
+@Tag("slow")
 class ContributingTest {
   private static final String ROOT = "org.mechservice.";
   private static final Pattern EDGE = Pattern.compile("(?m)^  ([\\w-]+) --> ([\\w-]+)$");

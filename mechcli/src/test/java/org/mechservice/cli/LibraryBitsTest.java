@@ -6,6 +6,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -13,6 +14,7 @@ import org.mechservice.guard.UserCode;
 import org.mechservice.library.MechModel;
 
 /** The library in process and {@code mech simulate} write the same bytes. */
+@Tag("slow")
 class LibraryBitsTest {
   @TempDir private Path folder = Path.of("");
 

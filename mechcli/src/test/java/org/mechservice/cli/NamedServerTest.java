@@ -16,12 +16,14 @@ import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.orb.testing.Eventually;
 
 /** {@code mech server --naming} with a naming service in a process of its own. */
+@Tag("slow")
 class NamedServerTest {
   private static final String MODEL = "../examples/pendulum/pendulum.xml";
 

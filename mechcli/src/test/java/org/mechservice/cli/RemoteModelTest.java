@@ -26,6 +26,7 @@ import java.util.stream.Collectors;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -50,6 +51,7 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.system.LinearSystem;
 
 /** A model at a server has the verbs of a model in process, and its results are the same bits. */
+@Tag("slow")
 class RemoteModelTest {
   private static final Path EXAMPLES = Path.of("../examples");
   private static final Path PENDULUM = EXAMPLES.resolve("pendulum/pendulum.xml");

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.shell.ExitStatus;
@@ -21,6 +22,7 @@ import org.mechservice.server.hosts.PlacementPolicy;
 import org.mechservice.sim.host.HostOptions;
 
 /** The commands at a server over TLS, with the keys that {@code mech keys} makes. */
+@Tag("slow")
 class SecureServiceTest {
   private static final String MODEL = "../examples/pendulum/pendulum.xml";
 

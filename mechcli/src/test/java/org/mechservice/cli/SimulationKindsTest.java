@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,6 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.cli.shell.ExitStatus;
 
 /** Every kind of simulation of one file, remotely, locally, and as a JAR. */
+@Tag("slow")
 class SimulationKindsTest {
   private static final String OTHERS =
       """

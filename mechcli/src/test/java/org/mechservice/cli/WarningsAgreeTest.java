@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -22,6 +23,7 @@ import org.mechservice.library.MechModel;
  * Of one model the check, a run at a server, one on this machine, strict ones and the library say
  * the same before it runs, and refuse it alike.
  */
+@Tag("slow")
 class WarningsAgreeTest {
   /** A warning with its place in the file, as all of them print it. */
   private static final Pattern WARNING = Pattern.compile("\\.xml:\\d+(:\\d+)?: ([MNS]-\\d{3}) ");

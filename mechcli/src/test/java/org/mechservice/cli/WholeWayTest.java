@@ -23,6 +23,7 @@ import java.util.jar.JarFile;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,6 +32,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.cli.shell.ExitStatus;
 
 /** The commands on the paper's pendulum, with an embedded server and real CORBA between. */
+@Tag("slow")
 class WholeWayTest {
   private static final String MODEL = "../examples/pendulum/pendulum.xml";
 

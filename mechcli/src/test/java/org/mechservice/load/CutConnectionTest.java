@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.client.MechConnection;
@@ -19,6 +20,7 @@ import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 
 /** What becomes of the rows of a run when the connection to its server is cut meanwhile. */
+@Tag("slow")
 class CutConnectionTest {
   /** Some 60 MB of rows, which take several blocks. */
   private static final double OUTPUT_STEP = 0.01;

@@ -17,6 +17,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.Mech;
@@ -38,6 +39,7 @@ import org.mechservice.orb.tls.TlsIdentity;
  * have loopback addresses of their own behind a relay that is cut instead, which is said on
  * standard error.
  */
+@Tag("slow")
 class CutOffHostTest {
   private static final long PATIENCE_SECONDS = 90;
 

@@ -15,6 +15,7 @@ import org.mechservice.load.ServiceJvm.Inside;
 import org.mechservice.orb.ServiceOrb;
 
 /** What is created and destroyed leaves nothing behind in the server. */
+@Tag("slow")
 class CyclesTest {
   private static final NameValue[] SHORT = {new NameValue("t-end", "0.02")};
 

@@ -19,6 +19,7 @@ import org.mechservice.client.run.RemoteRun;
  * The service from far away: a relay on another loopback address, at which the server says it is,
  * delays every byte both ways and counts how often the client waits for an answer.
  */
+@Tag("slow")
 class DelayTest {
   private static final int MOST_ROUND_TRIPS = 6;
 

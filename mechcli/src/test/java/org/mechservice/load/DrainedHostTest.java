@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
@@ -35,6 +36,7 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 
 /** What becomes of runs on a host that an operator empties. */
+@Tag("slow")
 class DrainedHostTest {
   /** Goes on for as long as a test needs. */
   private static final SimulationOptions LONG =

@@ -25,6 +25,7 @@ import org.mechservice.client.jar.JarCache;
 import org.mechservice.load.ServiceJvm.Inside;
 
 /** Whatever bytes arrive at its port, the server goes on serving and its memory stays bounded. */
+@Tag("slow")
 class HostileBytesTest {
   private static final long SEED = 20261122;
   private static final int HEAP_MEGABYTES = 128;

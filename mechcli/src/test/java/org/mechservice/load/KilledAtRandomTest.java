@@ -16,6 +16,7 @@ import org.mechservice.load.ServiceJvm.Inside;
  * Client, worker, host and server are killed at random moments. No completed result is lost or
  * wrong, nothing is left over, and who has nothing to do with it does not notice.
  */
+@Tag("slow")
 class KilledAtRandomTest {
   private static final long SEED = 7_2026_11_22;
 

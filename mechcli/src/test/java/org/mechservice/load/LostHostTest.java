@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.Mech;
@@ -36,6 +37,7 @@ import org.mechservice.solver.api.run.Outcome;
 import org.omg.CORBA.IntHolder;
 
 /** What becomes of a plain run whose host is killed. */
+@Tag("slow")
 class LostHostTest {
   /** Has many more rows than are on their way at once. */
   private static final SimulationOptions LONG =

@@ -22,6 +22,7 @@ import org.mechservice.client.jar.JarCache;
  * Many clients at once, each with connections of its own, half of them running the model at the
  * server and half at home, get what one client alone gets, to the last bit.
  */
+@Tag("slow")
 class ManyClientsTest {
   private static final int KINDS = 4;
 

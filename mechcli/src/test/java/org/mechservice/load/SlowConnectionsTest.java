@@ -34,6 +34,7 @@ import org.mechservice.client.jar.JarCache;
 import org.mechservice.orb.tls.TlsIdentity;
 
 /** Connections that say nothing, or a byte now and then, or no more, keep no client out. */
+@Tag("slow")
 class SlowConnectionsTest {
   private static final long ROUND_MILLIS = 300;
   private static final int SECONDS = 60;

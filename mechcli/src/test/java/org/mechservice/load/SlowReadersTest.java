@@ -27,6 +27,7 @@ import org.mechservice.orb.ServiceOrb;
  * Readers who ask for blocks of results and then do not read them neither fill the server's memory
  * nor keep others waiting.
  */
+@Tag("slow")
 class SlowReadersTest {
   private static final int CURSORS_PER_RUN = 16;
   private static final int BLOCKS_ASKED = 4;

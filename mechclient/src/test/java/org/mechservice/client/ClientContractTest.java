@@ -17,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.client.failure.InvalidModelException;
@@ -41,6 +42,7 @@ import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** What the client library promises, against a server whose answers are written down. */
+@Tag("slow")
 class ClientContractTest {
   private static final byte[] MODEL = {'<'};
 

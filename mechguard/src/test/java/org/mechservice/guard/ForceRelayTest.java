@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,6 +23,7 @@ import org.mechservice.solver.api.ForceState;
 import org.mechservice.solver.api.UserForce;
 
 /** A force behind the walls is the force: every number, every refusal and every exception of it. */
+@Tag("slow")
 class ForceRelayTest {
   /** Reads and does everything that a force can, with memory of its own. */
   private static final String EVERYTHING =

@@ -6,12 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.Limits;
 import org.mechservice.mechml.resolve.MechmlReader;
 
 /** Files made to exhaust the reader are refused; ordinary large ones are read. */
+@Tag("slow")
 class HostileFileTest {
   /** Far beyond what any of these needs: it only ends a test that would hang. */
   private static final Duration PATIENCE = Duration.ofSeconds(60);

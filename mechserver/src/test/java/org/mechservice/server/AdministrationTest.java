@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.HostInfo;
@@ -37,6 +38,7 @@ import org.mechservice.orb.testing.Eventually;
 import org.mechservice.server.hosts.ServerTuning;
 import org.omg.CORBA.IntHolder;
 
+@Tag("slow")
 class AdministrationTest {
   @Test
   void statusAddsUpAllHosts() throws Exception {

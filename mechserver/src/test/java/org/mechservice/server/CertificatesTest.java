@@ -18,6 +18,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.MechServer;
@@ -35,6 +36,7 @@ import org.mechservice.sim.host.HostOptions;
 import org.omg.CORBA.SystemException;
 
 /** Certificates are renewed, taken back and watched while the service runs. */
+@Tag("slow")
 class CertificatesTest {
   @TempDir private Path folder;
 

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.HostRegistration;
@@ -34,6 +35,7 @@ import org.mechservice.sim.service.testing.PacedSolver;
 import org.omg.CORBA.BAD_OPERATION;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 
+@Tag("slow")
 class HostRegistryTest {
   private static List<String> reachableHosts(Farm farm) throws Exception {
     return Arrays.stream(farm.admin.listHosts())

@@ -24,6 +24,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.IMechSimRemote;
@@ -36,6 +37,7 @@ import org.mechservice.server.hosts.PlacementPolicy;
 import org.mechservice.sim.host.HostOptions;
 
 /** What a monitoring system and an auditor learn of a server. */
+@Tag("slow")
 class ObservabilityTest {
   @TempDir private Path folder;
 

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.IMechSimRemote;
@@ -52,6 +53,7 @@ import org.omg.CORBA.UserException;
  * reference and knows every id is refused by every operation, on the server and on its host, and
  * written down.
  */
+@Tag("slow")
 class OwnersTest {
   @TempDir private static Path keys;
   private static MechServerProcess server;

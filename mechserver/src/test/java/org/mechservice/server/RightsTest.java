@@ -19,6 +19,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,6 +45,7 @@ import org.omg.CORBA.UserException;
  * one operation of the administration interface after the other. Whoever is refused is written
  * down.
  */
+@Tag("slow")
 class RightsTest {
   /** Calls an operation in a way that changes nothing that matters here. */
   private interface Call {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechServer;
@@ -17,6 +18,7 @@ import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
 import org.omg.CORBA.UserException;
 
+@Tag("slow")
 class RowsOverCorbaTest {
   private static final String[] ALL = new String[0];
   private static final NameValue[] AS_IN_FILE = new NameValue[0];

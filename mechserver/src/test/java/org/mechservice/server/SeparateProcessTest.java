@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechServer;
@@ -18,6 +19,7 @@ import org.mechservice.orb.testing.CursorRows;
 import org.omg.CORBA.UserException;
 
 /** Server and host in processes of their own, as in the field. */
+@Tag("slow")
 class SeparateProcessTest {
   private static Process startHost(String serverUrl, String name) throws IOException {
     return new ProcessBuilder(

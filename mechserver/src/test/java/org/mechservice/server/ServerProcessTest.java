@@ -10,11 +10,13 @@ import java.net.SocketException;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.orb.PortInUseException;
 import org.mechservice.orb.testing.Eventually;
 
+@Tag("slow")
 class ServerProcessTest {
   /** Threads that Java keeps for a while: the second waits for ends of further processes. */
   private static final Set<String> OF_JAVA = Set.of("Common-Cleaner", "process reaper");

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechSim;
@@ -24,6 +25,7 @@ import org.mechservice.sim.service.testing.PacedSolver;
  *       shared
  * </pre>
  */
+@Tag("slow")
 class SeveralServersTest {
   private static SimHostProcess shared(List<String> urls) {
     return SimHostProcess.start(

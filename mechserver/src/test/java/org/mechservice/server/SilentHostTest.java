@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.IMechSimRemote;
@@ -33,6 +34,7 @@ import org.mechservice.sim.service.testing.PacedSolver;
 import org.omg.CORBA.IntHolder;
 
 /** A host that still has its connection but answers nothing, beside one that does answer. */
+@Tag("slow")
 class SilentHostTest {
   /** Nobody is dropped; who has not answered for two seconds is silent. */
   private static final ServerTuning PATIENT =

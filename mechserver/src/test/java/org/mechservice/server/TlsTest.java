@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.IMechSimRemote;
@@ -37,6 +38,7 @@ import org.mechservice.sim.host.SimHostProcess;
 import org.omg.CORBA.UserException;
 
 /** Server, host and clients over real encrypted sockets, all who they say they are. */
+@Tag("slow")
 class TlsTest {
   private static final NameValue[] AS_IN_FILE = new NameValue[0];
 

@@ -22,6 +22,7 @@ import org.mechservice.library.proof.ProofPage;
 import org.mechservice.solver.api.program.Trajectory;
 
 /** Driven linkages stay on the assembly that they start in, against closed forms. */
+@Tag("slow")
 final class DrivenLinkagesTest {
   /**
    * Loops are closed to 1e-11 of their size; positions follow within that over the sine of the

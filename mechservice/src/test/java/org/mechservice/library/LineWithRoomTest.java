@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -21,6 +22,7 @@ import org.mechservice.solver.api.program.Trajectory;
  * <p>a smooth curve, on which sin d and sin d + 3 sin s keep their signs: in the line, d = −3 s is
  * next, and the left bar turns back. Without a gap both bars turn alike for ever.
  */
+@Tag("slow")
 final class LineWithRoomTest {
   private static final Path SCENE = Path.of("../examples/extremes/line_with_1e-12_to_spare.xml");
 

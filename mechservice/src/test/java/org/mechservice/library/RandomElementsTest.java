@@ -18,6 +18,7 @@ import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.solver.api.result.Variable;
 
 /** Random models with all elements move the same in all formulations. */
+@Tag("slow")
 class RandomElementsTest {
   private static final Path PAGE = Path.of("..", "docs", "reports", "random-elements.md");
   private static final int SOAKED = 35;

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.report.measure.Effort;
@@ -17,6 +18,7 @@ import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.ReportProgress;
 
 /** The report of a model in process: its page, what it keeps, and what it refuses. */
+@Tag("slow")
 class ReportOfModelTest {
   private static final Path EXAMPLES = Path.of("../examples");
 

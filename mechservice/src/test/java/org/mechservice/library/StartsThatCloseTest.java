@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -21,6 +22,7 @@ import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.closure.assembly.LoopFinding;
 
 /** Starts of models with loops: half turns, given values that must move, misfits, sizes. */
+@Tag("slow")
 class StartsThatCloseTest {
   private static final String AXES =
       "<vector name='x' vx='1' vy='0' vz='0'/><vector name='y' vx='0' vy='1' vz='0'/>"

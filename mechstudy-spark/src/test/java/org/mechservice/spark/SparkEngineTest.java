@@ -12,6 +12,7 @@ import org.apache.spark.api.java.JavaSparkContext;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.study.run.Study;
@@ -20,6 +21,7 @@ import org.mechservice.study.run.StudyPlan;
 import org.mechservice.study.run.StudyReader;
 
 /** A study on Spark, with two executor threads in this process: the bytes of threads. */
+@Tag("slow")
 class SparkEngineTest {
   private static final String STUDY =
       """

@@ -21,6 +21,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -33,6 +34,7 @@ import org.mechservice.idl.SimState;
 import org.mechservice.orb.PortInUseException;
 
 /** What the page is served, and to whom. */
+@Tag("slow")
 class AdminWebTest {
   private static final AccessTokens TOKENS =
       new AccessTokens("monitor-monitor-monitor", "admin-admin-admin-admin");

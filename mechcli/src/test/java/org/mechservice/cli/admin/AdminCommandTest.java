@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -32,6 +33,7 @@ import org.mechservice.sim.host.SimHostProcess;
 /**
  * What an operator types, against a server "lab" that runs nothing itself and has one host "hut".
  */
+@Tag("slow")
 class AdminCommandTest {
   private static final Path MODEL = Path.of("../examples/pendulum/pendulum.xml");
 

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,6 +24,7 @@ import org.mechservice.cli.Mech;
 import org.mechservice.cli.shell.ExitStatus;
 
 /** {@code mech optimise} and {@code mech identify} find what theory says, and refuse clearly. */
+@Tag("slow")
 class OptimiseCommandTest {
   /** x'' = -(k1 + k2) x - c x', x(0) = 1 m at rest. */
   private static final String OSCILLATOR =

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,6 +22,7 @@ import org.mechservice.cli.Mech;
 import org.mechservice.cli.shell.ExitStatus;
 
 /** axe-core has no serious findings on the pages that are files, and on the page of operators. */
+@Tag("slow")
 class AccessibilityTest {
   private static final Path PENDULUM = Path.of("..", "examples", "pendulum", "pendulum.xml");
 

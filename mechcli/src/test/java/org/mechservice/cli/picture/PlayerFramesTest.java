@@ -23,6 +23,7 @@ import org.mechservice.load.SoakPage;
  * the clock's, and without the painting of triangles, which another process of the browser does: on
  * a graphics card, or by the processor where there is none.
  */
+@Tag("slow")
 class PlayerFramesTest {
   private static final double FRAME_MS = 1000.0 / 60;
   private static final List<String> ALL =

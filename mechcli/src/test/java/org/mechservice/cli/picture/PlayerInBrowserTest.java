@@ -9,6 +9,7 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,6 +20,7 @@ import org.mechservice.cli.Mech;
 import org.mechservice.cli.shell.ExitStatus;
 
 /** The player in a real browser: it draws, moves, obeys the keyboard and fetches nothing. */
+@Tag("slow")
 class PlayerInBrowserTest {
   @TempDir private static Path folder = Path.of("");
 

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,6 +27,7 @@ import org.mechservice.admin.web.Chromium;
  * contrast, which is 8 · 0.5/64 of it: below 16 of 255. A body that is somewhere else, or has
  * another colour, changes whole cells by several times as much, which the last test shows.
  */
+@Tag("slow")
 class PlayerPicturesTest {
   private static final Path GOLDEN = Path.of("src/test/resources/pictures");
   private static final int WIDTH = 320;

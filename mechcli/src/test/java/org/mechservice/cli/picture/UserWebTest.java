@@ -19,6 +19,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.cli.model.SceneReader;
 import org.mechservice.cli.shell.ServerOption;
@@ -28,6 +29,7 @@ import org.mechservice.mechml.document.Document;
 import org.mechservice.view.web.UserWeb;
 
 /** The requests of the page for users, against an embedded server. */
+@Tag("slow")
 class UserWebTest {
   private static ServiceConnection service;
   private static UserWeb web;

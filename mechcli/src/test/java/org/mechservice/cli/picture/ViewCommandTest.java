@@ -10,6 +10,7 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.Mech;
@@ -17,6 +18,7 @@ import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.view.player.Film;
 
 /** What {@code mech view} takes and what it refuses. */
+@Tag("slow")
 class ViewCommandTest {
   private static final String PENDULUM =
       Path.of("..", "examples", "pendulum", "pendulum.xml").toString();

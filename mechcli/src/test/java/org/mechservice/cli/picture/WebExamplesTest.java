@@ -8,12 +8,14 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.cli.Mech;
 import org.mechservice.cli.shell.ExitStatus;
 
+@Tag("slow")
 class WebExamplesTest {
   private static Stream<String> names() throws IOException {
     return WebCommand.examples().keySet().stream();

@@ -25,6 +25,7 @@ import org.mechservice.mechml.document.Document;
 import org.mechservice.view.web.UserWeb;
 
 /** The page for users in a real browser, against an embedded server. */
+@Tag("slow")
 class WebInBrowserTest {
   private static final String PARAMETERS =
       """

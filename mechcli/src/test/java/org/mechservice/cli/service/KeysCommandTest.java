@@ -7,11 +7,13 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.Mech;
 import org.mechservice.cli.shell.ExitStatus;
 
+@Tag("slow")
 class KeysCommandTest {
   private final StringWriter err = new StringWriter();
   private Path keys;

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.Mech;
@@ -26,6 +27,7 @@ import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.service.limits.HostLimits;
 
 /** Runs whose client is gone, fetched by their ids. */
+@Tag("slow")
 class FetchCommandTest {
   private static final Path MODEL = Path.of("../examples/pendulum/pendulum.xml");
 

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -18,6 +19,7 @@ import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.result.ResultFormat;
 import org.mechservice.result.SignalTable;
 
+@Tag("slow")
 class SimulateOutputTest {
   private static final String MODEL = "../examples/pendulum/pendulum.xml";
 

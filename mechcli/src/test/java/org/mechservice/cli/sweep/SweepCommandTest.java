@@ -18,6 +18,7 @@ import java.util.concurrent.FutureTask;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,6 +35,7 @@ import org.mechservice.sim.host.SimHostProcess;
  * A seat, its damper and its spring, at a server that runs nothing itself and has three hosts with
  * four places.
  */
+@Tag("slow")
 class SweepCommandTest {
   private static final Path SEAT = Path.of("../examples/sweep/seat.xml");
 

@@ -5,10 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import java.io.IOException;
 import java.time.Duration;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A slice of what {@link FuzzPageTest} does for long: same machinery, few files. */
+@Tag("slow")
 class FuzzTest {
   /** Far beyond what it needs: it only ends a test that would hang. */
   private static final Duration PATIENCE = Duration.ofMinutes(5);

@@ -21,6 +21,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * without a word. Every build runs a slice of each set; {@code mvn verify -Psoak} runs them whole
  * and writes their tables into the page.
  */
+@Tag("slow")
 class NothingPassedOverTest {
   private static final Path PAGE = Path.of("..", "docs", "reports", "nothing-passed-over.md");
 

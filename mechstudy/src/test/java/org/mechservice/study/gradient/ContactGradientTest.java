@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -14,6 +15,7 @@ import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.study.Reduction;
 
 /** Derivatives across contacts against central differences of whole runs. */
+@Tag("slow")
 final class ContactGradientTest {
   /** Of differences of sixth order. */
   private static final double[] WEIGHTS = {3.0 / 4, -3.0 / 20, 1.0 / 60};

@@ -8,6 +8,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.LongStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -17,6 +18,7 @@ import org.mechservice.solver.expression.TableCurve;
 import org.mechservice.solver.symbol.MathFunction;
 
 /** The curves of a sphere's centre over a profile, against spheres that are set down on it. */
+@Tag("slow")
 class SphereTracksTest {
   private static final double RADIUS = 0.3;
 

@@ -9,12 +9,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 
 /** Driven Euler parameters by tables: signs that change between rows are refused. */
+@Tag("slow")
 class TurningTablesTest {
   @ParameterizedTest
   @CsvSource({

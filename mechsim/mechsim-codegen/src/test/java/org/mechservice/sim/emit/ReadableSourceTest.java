@@ -14,6 +14,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -32,6 +33,7 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** What a person who knows Java would not write is not in the source of a model. */
+@Tag("slow")
 class ReadableSourceTest {
   private static final int BODIES = 4;
 

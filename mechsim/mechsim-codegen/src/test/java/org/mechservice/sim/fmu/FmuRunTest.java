@@ -34,6 +34,7 @@ import org.mechservice.solver.api.run.RunSettings;
  * Units run in other programs. The Python of the environment variable MECH_PYTHON, or else {@code
  * python3}, needs fmpy; both need a C compiler.
  */
+@Tag("slow")
 class FmuRunTest {
   private static final String PYTHON =
       Optional.ofNullable(System.getenv("MECH_PYTHON")).orElse("python3");

@@ -21,6 +21,7 @@ import java.util.Random;
 import java.util.SortedMap;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -42,6 +43,7 @@ import org.mechservice.solver.symbol.MathFunction;
  * communication. The scenes and the right values are those of runs in Java; the units are compiled
  * with all warnings as errors, without a program that uses them.
  */
+@Tag("slow")
 class SearchedStepsTest {
   private static final String GROUND =
       "<body name='G'><point name='o' x='0' y='0' z='0'/><vector name='x' vx='1' vy='0' vz='0'/>"

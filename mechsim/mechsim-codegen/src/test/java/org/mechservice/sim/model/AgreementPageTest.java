@@ -31,6 +31,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * Generated code against the data-driven form over random scenes: the largest difference over the
  * largest element, as a page; each bound is checked as well.
  */
+@Tag("slow")
 class AgreementPageTest {
   private static final Path PAGE = Path.of("..", "..", "docs", "reports", "generated-agreement.md");
   private static final double TIME = 0.4;

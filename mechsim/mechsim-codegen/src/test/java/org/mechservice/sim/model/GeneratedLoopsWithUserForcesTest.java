@@ -34,6 +34,7 @@ import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** Code for loops that forces of users are put to, against the same closures driven by data. */
+@Tag("slow")
 class GeneratedLoopsWithUserForcesTest {
   private static final Path SUSPENSION = Path.of("..", "..", "examples", "five-point-suspension");
   private static final ClassLoader OWN = GeneratedLoopsWithUserForcesTest.class.getClassLoader();

@@ -44,6 +44,7 @@ import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.Origin;
 
 /** Forces that users have written as classes, called by generated code, against the data-driven. */
+@Tag("slow")
 class GeneratedUserForcesTest {
   private static final double TIME = 0.4;
   static final UserForceSource FORCES = element -> new PullingForce();

@@ -9,6 +9,7 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -27,6 +28,7 @@ import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.Origin;
 
 /** Code for large mechanisms with few loops, against recursions over the data. */
+@Tag("slow")
 class LargeLoopCodeTest {
   private static final int BODIES = 70;
   private static final List<Named<Mechanism>> MECHANISMS = drawn();

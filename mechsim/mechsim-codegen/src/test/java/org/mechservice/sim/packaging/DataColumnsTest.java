@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.jar.JarEntry;
 import java.util.jar.JarInputStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,6 +46,7 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.step.StepKind;
 
 /** Columns that no code is generated for travel as data with the models that asked for them. */
+@Tag("slow")
 class DataColumnsTest {
   private static final RunSettings SETTINGS = new RunSettings(0, 0.2, 0.1, "DE", 1e-6, 1e-6);
   private static final long SEED = 2;

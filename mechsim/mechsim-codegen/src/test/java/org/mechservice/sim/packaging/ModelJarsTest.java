@@ -26,6 +26,7 @@ import java.util.jar.JarFile;
 import java.util.jar.JarInputStream;
 import java.util.jar.Manifest;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.guard.SolverClasses;
@@ -51,6 +52,7 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.simulation.Simulation;
 import org.mechservice.solver.text.Sha256;
 
+@Tag("slow")
 class ModelJarsTest {
   private static final String SHA = "0123456789abcdef".repeat(4);
   private static final String MODEL = "org/mechservice/model/FiveBarPendulum.class";

@@ -17,6 +17,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.guard.BytecodeVerifier;
 import org.mechservice.mechml.MechmlModel;
@@ -37,6 +38,7 @@ import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.symbol.MathFunction;
 
 /** The list of what a fetched model may use knows all that generated classes use. */
+@Tag("slow")
 class PermittedModelsTest {
   private static final Path EXAMPLES = Path.of("../../examples");
 

@@ -24,6 +24,7 @@ import org.mechservice.solver.scenes.SharedScene;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** A run with loops, taken up between any two steps, has the rows of one never interrupted. */
+@Tag("slow")
 class LoopCheckpointTest {
   /**
    * Steps from which runs of small and of large loops are taken up; the long tests do so at all.

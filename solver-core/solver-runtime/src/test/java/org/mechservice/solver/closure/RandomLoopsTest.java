@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.stream.LongStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -17,6 +18,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.oracle.OracleForce;
 
 /** Random closed mechanisms against the maximal coordinates of the oracle. */
+@Tag("slow")
 class RandomLoopsTest {
   private int compared;
 

@@ -21,6 +21,7 @@ import org.mechservice.solver.closure.JumpingLoops.Side;
  * step, moves as it should up to where the run is refused; hardly a run slides along the jump, or
  * sticks where it should have broken loose.
  */
+@Tag("slow")
 class UndeclaredJumpInLoopTest {
   /** Tolerances by which a run of some hundred steps may err, if nothing becomes of its errors. */
   private static final double STEPS = 1000;

@@ -37,6 +37,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * Closed loops and events in C compute the bits of the Java machine: accelerations by penalty,
  * projection, functions of events, and the state after all events at once with the loops closed.
  */
+@Tag("slow")
 class LoopsAndEventsInCTest {
   private static final int FEW = 4;
   private static final int MANY = 250;

@@ -43,6 +43,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** A model in C computes the bits of the class that runs on the Java machine. */
+@Tag("slow")
 class SameBitsInCTest {
   private static final int FEW_SCENES = 4;
   private static final int MANY_SCENES = 500;

@@ -33,6 +33,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * Derivatives of x' in C: of open chains they are the bits of the tangents on the Java machine, and
  * all are those that differences of x' show, by states, parameters and inputs.
  */
+@Tag("slow")
 class TangentsInCTest {
   private static final int FEW = 3;
   private static final int MANY = 100;

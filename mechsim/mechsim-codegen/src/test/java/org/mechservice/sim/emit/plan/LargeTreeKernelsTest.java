@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodPlan;
@@ -22,6 +23,7 @@ import org.mechservice.solver.symbol.Scalar;
  * The code of a large tree has a method for each kind of link and each place in the tree that
  * differs, not for each link.
  */
+@Tag("slow")
 class LargeTreeKernelsTest {
   private static final int BODIES = 300;
 

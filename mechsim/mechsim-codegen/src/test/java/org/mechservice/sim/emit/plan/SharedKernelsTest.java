@@ -44,6 +44,7 @@ import org.mechservice.solver.dynamics.TreeStepModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** Code in which bodies that are alike share methods, against the same written out. */
+@Tag("slow")
 class SharedKernelsTest {
   private static final double TIME = 0.7;
 

@@ -50,6 +50,7 @@ import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.Origin;
 
 /** Code for forces and relations that depend on coordinates of cut joints. */
+@Tag("slow")
 public class GeneratedCutCoordinatesTest {
   private static final Vector3 X = new Vector3(1, 0, 0);
   private static final Vector3 Y = new Vector3(0, 1, 0);

@@ -49,6 +49,7 @@ import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.Origin;
 
 /** RR-JF of open chains in generated code, against the one driven by data. */
+@Tag("slow")
 class GeneratedJacobianTest {
   private static final double TIME = 0.4;
 

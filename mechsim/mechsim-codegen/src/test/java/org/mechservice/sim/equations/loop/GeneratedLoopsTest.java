@@ -57,6 +57,7 @@ import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.Origin;
 
 /** Code for mechanisms with loops, against the same closures driven by data. */
+@Tag("slow")
 public class GeneratedLoopsTest {
   private static GeneratedModel generated(Mechanism mechanism, String formulation, String closure) {
     GeneratedModel generated =

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -18,6 +19,7 @@ import org.mechservice.sim.scene.Finding;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** What makes a run endless is told before it, with the part it lies in. */
+@Tag("slow")
 class RunForecastTest {
   private static final Path EXTREMES = Path.of("../../examples/extremes");
 

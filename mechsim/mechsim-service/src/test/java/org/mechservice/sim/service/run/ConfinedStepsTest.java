@@ -11,6 +11,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.guard.Confinement;
 import org.mechservice.guard.WorkerBounds;
@@ -25,6 +26,7 @@ import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** A run in a worker that is stepped from outside, and whose classes or process do not go on. */
+@Tag("slow")
 class ConfinedStepsTest {
   private static final Duration LONG = Duration.ofMinutes(10);
 

@@ -9,6 +9,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClientOperations;
@@ -20,6 +21,7 @@ import org.mechservice.idl.SimState;
 import org.mechservice.orb.testing.CursorRows;
 import org.mechservice.sim.service.testing.PacedSolver;
 
+@Tag("slow")
 class CallbackTest {
   private static final NameValue[] AS_IN_FILE = new NameValue[0];
 

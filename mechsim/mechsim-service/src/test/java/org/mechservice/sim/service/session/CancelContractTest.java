@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.IMechSimRemote;
@@ -31,6 +32,7 @@ import org.mechservice.solver.api.Solver;
 import org.omg.CORBA.UserException;
 
 /** Who cancels or destroys a run waits neither for its solver nor for a disk. */
+@Tag("slow")
 class CancelContractTest {
   @TempDir private Path folder;
 

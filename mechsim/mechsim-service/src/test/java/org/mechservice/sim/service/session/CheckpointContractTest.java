@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.mechservice.sim.service.session.HostedClient.ALL;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.InvalidState;
@@ -16,6 +17,7 @@ import org.mechservice.orb.testing.CursorRows;
 import org.omg.CORBA.UserException;
 
 /** What clients are promised about checkpoints. */
+@Tag("slow")
 class CheckpointContractTest {
   private static final NameValue[] AS_IN_FILE = new NameValue[0];
 

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -37,6 +38,7 @@ import org.mechservice.sim.user.PushedCart;
  * The wall of the operating system holds alone: with the allow-list of bytecode switched off,
  * classes that use all of Java reach nothing outside their process.
  */
+@Tag("slow")
 class ConfinedUserCodeTest {
   private static final String PUSH = "loads.addJointForce(slide, 3);";
 

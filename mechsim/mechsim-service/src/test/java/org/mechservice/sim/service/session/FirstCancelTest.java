@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.LongSupplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.IMechSimRemote;
@@ -25,6 +26,7 @@ import org.mechservice.orb.testing.Eventually;
  * have to load, link and spin for it has been used before. The host tells, in a process of its own,
  * which classes it loads, and when.
  */
+@Tag("slow")
 class FirstCancelTest {
   private static final NameValue[] LONG_RUN = {
     new NameValue(OPT_T_END.value, "1e6"), new NameValue(OPT_T_STEP.value, "1e3")

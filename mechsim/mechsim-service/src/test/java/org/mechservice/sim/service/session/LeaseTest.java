@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechSim;
@@ -25,6 +26,7 @@ import org.mechservice.sim.service.testing.PacedSolver;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.UserException;
 
+@Tag("slow")
 class LeaseTest {
   /** Models are read here: the start of another process may take longer than the lease. */
   private static final HostLimits BRIEF =

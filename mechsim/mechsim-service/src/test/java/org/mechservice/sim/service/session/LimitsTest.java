@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemote;
@@ -26,6 +27,7 @@ import org.mechservice.solver.api.Solver;
 import org.omg.CORBA.UserException;
 
 /** Every limit stops what is beyond it, under its own code and name, and nothing else. */
+@Tag("slow")
 class LimitsTest {
   /** Asks a host for one thing too many. */
   private interface Demand {

@@ -7,6 +7,7 @@ import static org.mechservice.sim.service.session.HostedClient.ALL;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.InvalidOption;
@@ -19,6 +20,7 @@ import org.mechservice.orb.testing.CursorRows;
 import org.omg.CORBA.UserException;
 
 /** Parameters of a simulation may be set until it starts: those that stayed inputs, to numbers. */
+@Tag("slow")
 class ParametersContractTest {
   /** A block of 1 kg, pushed by "push" newtons from "place": x = place + push t^2 / 2. */
   private static final String PUSHED =

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.InvalidModel;
@@ -32,6 +33,7 @@ import org.mechservice.sim.service.testing.PacedSolver;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.UserException;
 
+@Tag("slow")
 class SessionContractTest {
   private static final NameValue[] AS_IN_FILE = new NameValue[0];
   private static final ModelFile[] NO_FILES = new ModelFile[0];

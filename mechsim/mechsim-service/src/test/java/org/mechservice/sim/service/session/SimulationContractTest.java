@@ -12,6 +12,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemote;
@@ -40,6 +41,7 @@ import org.omg.CORBA.DoubleHolder;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.UserException;
 
+@Tag("slow")
 class SimulationContractTest {
   @Test
   void pendulumRunsToItsEnd() throws UserException {

@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.IMechSimRemote;
@@ -42,6 +43,7 @@ import org.mechservice.solver.api.result.Variable;
 import org.omg.CORBA.DoubleHolder;
 
 /** What a host with a spool folder has written outlives its process. */
+@Tag("slow")
 class SpoolRestartTest {
   @TempDir private Path folder;
 

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -20,6 +21,7 @@ import org.mechservice.orb.testing.Eventually;
 import org.omg.CORBA.DoubleHolder;
 
 /** What clients are promised about the state of a run between its rows. */
+@Tag("slow")
 class StateContractTest {
   private static final NameValue[] AS_IN_FILE = new NameValue[0];
 

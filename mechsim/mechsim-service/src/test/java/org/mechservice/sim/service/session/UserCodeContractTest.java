@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.IMechSimRemote;
@@ -25,6 +26,7 @@ import org.mechservice.sim.user.UserFile;
 import org.omg.CORBA.UserException;
 
 /** Classes of users run where the operator allows it; elsewhere nothing of theirs is loaded. */
+@Tag("slow")
 class UserCodeContractTest {
   private static final NameValue[] AS_IN_FILE = new NameValue[0];
   private static final ModelFile MODEL = new ModelFile("pushed.xml", PushedCart.file());

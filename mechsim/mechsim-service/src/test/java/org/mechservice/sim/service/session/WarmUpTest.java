@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.HostLoad;
@@ -20,6 +21,7 @@ import org.mechservice.sim.service.setup.SetUpWorkers;
 import org.mechservice.solver.api.Solver;
 
 /** A host that makes itself ready does what clients do, and nobody can tell afterwards. */
+@Tag("slow")
 class WarmUpTest {
   @TempDir private Path folder;
 

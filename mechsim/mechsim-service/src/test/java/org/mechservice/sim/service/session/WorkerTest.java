@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -35,6 +36,7 @@ import org.mechservice.sim.user.PushedCart;
 import org.omg.CORBA.UserException;
 
 /** Forces that users have written run in processes of their own, and can do no harm there. */
+@Tag("slow")
 class WorkerTest {
   private static final ModelFile MODEL = new ModelFile("pushed.xml", PushedCart.file());
 

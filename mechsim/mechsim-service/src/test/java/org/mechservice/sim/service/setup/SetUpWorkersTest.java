@@ -14,6 +14,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.FutureTask;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.InvalidModel;
 import org.mechservice.idl.InvalidOption;
@@ -27,6 +28,7 @@ import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.user.PushedCart;
 
 /** Models that are read and built in processes of their own: the same answers, with bounds. */
+@Tag("slow")
 class SetUpWorkersTest {
   private static final NameValue[] AS_IN_FILE = {};
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.function.Function;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -28,6 +29,7 @@ import org.mechservice.solver.ode.switching.Switching;
  * No run goes on beyond a place where the solution grows beyond every bound, wherever steps happen
  * to fall; runs whose derivative alone has no bound go on.
  */
+@Tag("slow")
 class PoleTest {
   private static final double[] TOLERANCES = {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-6};
   private static final int PLACES = 60;

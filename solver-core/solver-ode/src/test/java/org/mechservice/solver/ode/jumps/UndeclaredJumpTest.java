@@ -29,6 +29,7 @@ import org.mechservice.solver.ode.switching.Switching;
  * A jump that no method is told of is crossed as accurately as asked for, or the run is refused; no
  * run slides along it to a wrong end.
  */
+@Tag("slow")
 class UndeclaredJumpTest {
   /**
    * Tolerances by which a run may err: steps may err by one each, and from a start to an end there
