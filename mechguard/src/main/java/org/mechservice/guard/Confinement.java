@@ -6,12 +6,15 @@ import java.io.InterruptedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
+import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
@@ -35,12 +38,12 @@ public final class Confinement {
 
   private static final long PROBE_SECONDS = 60;
   private static final int PROBE_OUTPUT = 10_000;
-  private static final long BUILDING_MILLIS = 20;
-  private static final long BUILDING_SECONDS = 10;
+  private static final long ENDING_SECONDS = 10;
 
-  /** Processes below the command of a wall: its first one within, and Java. */
-  private static final int BEHIND_WALL = 2;
+  /** What a wall says before the name of its machine, which no other wall has. */
+  private static final String NAME = "--hostname";
 
+  private static final Path PROCESSES = Path.of("/proc");
   private static final String WALL_SHELL = "/bin/sh";
 
   /**
@@ -66,8 +69,6 @@ public final class Confinement {
           "65534",
           "--gid",
           "65534",
-          "--hostname",
-          "worker",
           "--die-with-parent",
           "--new-session",
           "--clearenv",
@@ -107,13 +108,12 @@ public final class Confinement {
             return thread;
           });
 
-  /** Processes with a wall that have not ended; a program that ends lets these become complete. */
-  private static final Set<Process> WALLED = ConcurrentHashMap.newKeySet();
+  /** Processes with a wall that have not ended, each with the name of its machine. */
+  private static final Map<Process, String> WALLED = new ConcurrentHashMap<>();
 
   static {
     try {
-      Thread last = new Thread(() -> WALLED.forEach(Confinement::endWhenComplete), "ends walls");
-      Runtime.getRuntime().addShutdownHook(last);
+      Runtime.getRuntime().addShutdownHook(new Thread(Confinement::endAll, "ends walls"));
     } catch (IllegalStateException e) {
       // The program is ending already.
     }
@@ -231,7 +231,7 @@ public final class Confinement {
         Thread.currentThread().interrupt();
         return "the probe was interrupted";
       } finally {
-        end(probe);
+        probe.destroyForcibly();
       }
     } finally {
       Files.delete(ownFile);
@@ -309,7 +309,9 @@ public final class Confinement {
   }
 
   /**
-   * Starts a process that lives as long as this one, whatever becomes of the calling thread.
+   * Starts a process that lives as long as this one, whatever becomes of the calling thread. If it
+   * is killed, from here or from outside, all that belongs to its wall ends and its streams close,
+   * however little of the wall stood.
    *
    * @param command of {@link #command}
    * @throws IOException if it cannot be started
@@ -317,9 +319,11 @@ public final class Confinement {
   public static Process start(ProcessBuilder command) throws IOException {
     try {
       Process started = STARTER.submit(command::start).get();
-      if (command.command().get(0).equals(WALL_SHELL)) {
-        WALLED.add(started);
-        CompletableFuture<Void> unused = started.onExit().thenRun(() -> WALLED.remove(started));
+      List<String> words = command.command();
+      if (words.get(0).equals(WALL_SHELL)) {
+        String name = words.get(words.indexOf(NAME) + 1);
+        WALLED.put(started, name);
+        CompletableFuture<Void> unused = started.onExit().thenAccept(Confinement::endRemains);
       }
       return started;
     } catch (ExecutionException e) {
@@ -330,40 +334,53 @@ public final class Confinement {
     }
   }
 
-  /**
-   * Ends a process at once, or, if its wall is not complete yet, as soon as it is. Bubblewrap that
-   * is killed before leaves a half of itself, which waits for the other one for ever.
-   *
-   * @param process of {@link #start}
-   */
-  public static void end(Process process) {
-    if (!WALLED.contains(process) || isComplete(process)) {
-      process.destroyForcibly();
-      return;
-    }
-    Thread ending = new Thread(() -> endWhenComplete(process), "ends a confined process");
-    ending.setDaemon(true);
-    ending.start();
-  }
-
-  private static void endWhenComplete(Process process) {
+  /** A program that ends leaves no half of a wall. */
+  private static void endAll() {
+    List<Process> all = List.copyOf(WALLED.keySet());
+    all.forEach(Process::destroyForcibly);
     try {
-      long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(BUILDING_SECONDS);
-      while (!isComplete(process)
-          && System.nanoTime() < end
-          && !process.waitFor(BUILDING_MILLIS, TimeUnit.MILLISECONDS)) {
-        // It is being built.
+      for (Process process : all) {
+        if (process.waitFor(ENDING_SECONDS, TimeUnit.SECONDS)) {
+          endRemains(process);
+        }
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-    } finally {
-      process.destroyForcibly();
     }
   }
 
-  /** Returns whether Java runs behind the wall of a process. */
-  private static boolean isComplete(Process process) {
-    return process.descendants().count() >= BEHIND_WALL;
+  /**
+   * Ends what the end of a wall has left. Bubblewrap divides itself before anything binds one half
+   * to the other: if the outer one is killed then, the inner one waits for it for ever and holds
+   * the streams of the worker. It still has the words of the command, and is the first process of
+   * its machine, with which all others there end.
+   *
+   * @param ended the outer half, which does not divide itself any more
+   */
+  private static synchronized void endRemains(Process ended) {
+    String name = WALLED.remove(ended);
+    if (name == null || ended.exitValue() == 0) {
+      return;
+    }
+    try (DirectoryStream<Path> processes = Files.newDirectoryStream(PROCESSES, "[0-9]*")) {
+      for (Path process : processes) {
+        if (hasWord(process, name)) {
+          ProcessHandle.of(Long.parseLong(process.getFileName().toString()))
+              .ifPresent(ProcessHandle::destroyForcibly);
+        }
+      }
+    } catch (IOException | DirectoryIteratorException e) {
+      throw new IllegalStateException("no wall has held where processes cannot be seen", e);
+    }
+  }
+
+  private static boolean hasWord(Path process, String word) {
+    try {
+      byte[] words = Files.readAllBytes(process.resolve("cmdline"));
+      return new String(words, StandardCharsets.ISO_8859_1).contains("\0" + word + "\0");
+    } catch (IOException e) {
+      return false; // it has just ended
+    }
   }
 
   private static void addWall(List<String> command, Wall wall, WorkerBounds bounds)
@@ -378,6 +395,7 @@ public final class Confinement {
     command.addAll(List.of(WALL_SHELL, "-c", SHELL, "worker", space, time, filter.toString()));
     command.add(wall.tool().toString());
     command.addAll(List.of("--seccomp", "3"));
+    command.addAll(List.of(NAME, "worker-" + UUID.randomUUID()));
     command.addAll(ISOLATION);
     command.addAll(wall.files().arguments());
     command.addAll(List.of("--dir", "/tmp", "--remount-ro", "/", "--chdir", "/", "--"));

@@ -76,7 +76,7 @@ public final class Patience implements AutoCloseable {
       ended = Optional.of(what + " has taken more than " + longest.toSeconds() + " s.");
     }
     if (ended.isPresent()) {
-      Confinement.end(process);
+      process.destroyForcibly();
     } else if (!lowered && LowPriority.isDue(since)) {
       lowered = true;
       LowPriority.lower(process.toHandle());

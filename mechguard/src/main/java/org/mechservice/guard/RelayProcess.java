@@ -71,11 +71,11 @@ final class RelayProcess {
   }
 
   boolean isAlive() {
-    return process.isAlive();
+    return process.isAlive() && patience.ended().isEmpty();
   }
 
   void end() {
-    Confinement.end(process);
+    process.destroyForcibly();
   }
 
   /** What a class of a user has thrown, or why its process is gone, as text. */

@@ -104,7 +104,8 @@ public final class WarmProcesses implements AutoCloseable {
    * @param seconds longest time of the answer, s
    * @throws LostProcessException if the process ended without an answer
    * @throws IOException if no process can be started
-   * @throws CancellationException if the thread is interrupted, which it stays
+   * @throws CancellationException if the thread is interrupted, which it stays, or the processes
+   *     are closed
    */
   public <T> T ask(WorkerBounds bounds, Object topic, long seconds, Dialogue<T> dialogue)
       throws IOException {
@@ -114,6 +115,9 @@ public final class WarmProcesses implements AutoCloseable {
       throw interrupted();
     }
     try {
+      if (isClosed()) {
+        throw ended();
+      }
       Optional<Warm> waiting = waiting(bounds, topic);
       if (waiting.isPresent()) {
         try {
@@ -212,6 +216,8 @@ public final class WarmProcesses implements AutoCloseable {
     } catch (IOException e) {
       if (Thread.currentThread().isInterrupted()) {
         throw interrupted();
+      } else if (isClosed()) {
+        throw ended();
       } else if (held.late) {
         throw new LostProcessException(
             LostProcessException.Cause.TIME, "it takes more than " + seconds + " s");
@@ -270,6 +276,14 @@ public final class WarmProcesses implements AutoCloseable {
     return watching;
   }
 
+  private synchronized boolean isClosed() {
+    return closed;
+  }
+
+  private static CancellationException ended() {
+    return new CancellationException("the processes have been ended");
+  }
+
   private static CancellationException interrupted() {
     Thread.currentThread().interrupt();
     return new CancellationException("the caller was interrupted");
@@ -292,11 +306,12 @@ public final class WarmProcesses implements AutoCloseable {
     return new LostProcessException(LostProcessException.Cause.OTHER, "its process ended");
   }
 
-  /** Ends the processes that wait. */
+  /** Ends all processes; who waits for an answer is told. */
   @Override
   public synchronized void close() {
     closed = true;
     idle.forEach(other -> other.process.destroyForcibly());
     idle.clear();
+    watched.forEach(held -> held.process.destroyForcibly());
   }
 }

@@ -15,6 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -53,24 +54,30 @@ public class ConfinementTest {
     }
   }
 
-  /** Bubblewrap that is killed before its wall is complete leaves a half of itself for ever. */
+  /**
+   * Bubblewrap that is killed before its wall is complete leaves a half of itself, which waits for
+   * the other one for ever and holds the streams: who reads from the process would wait with it.
+   */
   @Test
-  void processesThatAreEndedWhileTheyStartLeaveNothingBehind() throws Exception {
+  void processesThatAreKilledWhileTheyStartCloseTheirStreamsAndLeaveNothingBehind()
+      throws Exception {
     Confinement wall = Confinement.ofThisMachine();
     assumeTrue(wall.stands(), () -> "no confinement on this machine: " + wall.text());
     String mark = "mark-" + UUID.randomUUID();
-    List<Process> ended = new ArrayList<>();
-    for (int i = 0; i < 30; i++) {
+    List<FutureTask<byte[]>> said = new ArrayList<>();
+    for (int i = 0; i < 60; i++) {
       Process started =
           Confinement.start(
               wall.command(
                   new WorkerBounds(1 << 26, 60), ConfinementProbe.class, List.of("0", mark)));
-      started.waitFor(i, TimeUnit.MILLISECONDS);
-      Confinement.end(started);
-      ended.add(started);
+      FutureTask<byte[]> reading = new FutureTask<>(started.getInputStream()::readAllBytes);
+      new Thread(reading).start();
+      TimeUnit.MICROSECONDS.sleep(500 * i);
+      ProcessHandle.of(started.pid()).ifPresent(ProcessHandle::destroyForcibly);
+      said.add(reading);
     }
-    for (Process process : ended) {
-      process.waitFor();
+    for (FutureTask<byte[]> reading : said) {
+      assertThat(reading.get(60, TimeUnit.SECONDS)).isNotNull();
     }
     long until = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
     while (!marked(mark).isEmpty() && System.nanoTime() < until) {

@@ -1,7 +1,9 @@
 package org.mechservice.server;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.lang.reflect.Proxy;
@@ -10,6 +12,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.FutureTask;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.DiagnosticSeqHolder;
@@ -19,6 +22,7 @@ import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.LimitExceeded;
+import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.MechSimHostHelper;
 import org.mechservice.idl.MechSimHostOperations;
@@ -37,6 +41,7 @@ import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.testing.Eventually;
 import org.mechservice.server.hosts.ServerTuning;
 import org.omg.CORBA.IntHolder;
+import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 @Tag("slow")
 class AdministrationTest {
@@ -138,6 +143,63 @@ class AdministrationTest {
       ModelFile drawing = new ModelFile("robot.step", Pendulum.file().content);
       assertThatThrownBy(() -> farm.service.importModel(drawing, new DiagnosticSeqHolder()))
           .isInstanceOf(NotAvailable.class);
+    }
+  }
+
+  /** A robot of so many links is read for minutes, unless somebody ends that. */
+  private static ModelFile longRobot() {
+    StringBuilder text = new StringBuilder("<robot name=\"r\"><link name=\"l0\"/>");
+    for (int i = 1; i < 100_000; i++) {
+      text.append(
+          ("<link name=\"l%1$d\"/><joint name=\"j%1$d\" type=\"revolute\"><parent link=\"l%2$d\"/>"
+                  + "<child link=\"l%1$d\"/><axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\""
+                  + " effort=\"1\" velocity=\"1\"/></joint>")
+              .formatted(i, i - 1));
+    }
+    return new ModelFile("r.urdf", text.append("</robot>").toString().getBytes(UTF_8));
+  }
+
+  private static long readers() {
+    return ProcessHandle.current()
+        .descendants()
+        .filter(process -> process.info().commandLine().orElse("").contains("SetUpMain"))
+        .count();
+  }
+
+  /** A process whose answer is read waits for the next request; one that was ended does not. */
+  @Test
+  void importEndsWithItsClient() throws Exception {
+    try (Farm farm = new Farm(0)) {
+      FutureTask<Throwable> client;
+      try (ServiceOrb other = ServiceOrb.client()) {
+        MechServer service = other.connect(farm.server.url());
+        client =
+            new FutureTask<>(
+                () ->
+                    catchThrowable(
+                        () -> service.importModel(longRobot(), new DiagnosticSeqHolder())));
+        new Thread(client).start();
+        Eventually.holds(() -> readers() == 1);
+      }
+      Eventually.holds(() -> readers() == 0);
+      assertThat(client.get()).isInstanceOf(org.omg.CORBA.SystemException.class);
+      assertThat(farm.service.getInfo().serverName).isNotEmpty();
+    }
+  }
+
+  @Test
+  void importEndsWithItsServer() throws Exception {
+    try (Farm farm = new Farm(0)) {
+      FutureTask<Throwable> client =
+          new FutureTask<>(
+              () ->
+                  catchThrowable(
+                      () -> farm.service.importModel(longRobot(), new DiagnosticSeqHolder())));
+      new Thread(client).start();
+      Eventually.holds(() -> readers() == 1);
+      farm.server.close();
+      assertThat(readers()).isZero();
+      assertThat(client.get()).isInstanceOf(OBJECT_NOT_EXIST.class);
     }
   }
 

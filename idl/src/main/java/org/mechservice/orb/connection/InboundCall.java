@@ -40,6 +40,25 @@ public final class InboundCall {
     CURRENT.remove();
   }
 
+  /**
+   * Binds this thread to its caller, for work that is of use to him alone: when his connection ends
+   * before the bond is released, the thread is interrupted. Afterwards it is not, since it serves
+   * others next. A call within this process has no connection that could end.
+   */
+  public static Bond boundToCaller() {
+    Optional<Accepted> connection = CURRENT.get().map(call -> call.connection);
+    Thread caller = Thread.currentThread();
+    connection.ifPresent(opened -> opened.interruptsAtItsEnd(caller));
+    return () -> connection.ifPresent(opened -> opened.leavesAlone(caller));
+  }
+
+  /** What ends the work of a thread with its caller. */
+  @FunctionalInterface
+  public interface Bond {
+    /** Leaves the thread alone from now on. */
+    void release();
+  }
+
   /** Returns the size of a request whose arguments are missing because it is too large, or 0. */
   public static long refusedBytes() {
     return CURRENT.get().map(call -> call.refusedBytes).orElse(0L);

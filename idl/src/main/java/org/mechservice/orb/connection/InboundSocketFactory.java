@@ -6,6 +6,8 @@ import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.util.HashSet;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jacorb.config.Configurable;
 import org.jacorb.config.Configuration;
@@ -83,6 +85,8 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
     private volatile boolean plain;
     private final AtomicInteger calls = new AtomicInteger();
     private volatile boolean leased;
+    private final Set<Thread> working = new HashSet<>();
+    private boolean ended;
 
     public Accepted(InboundConnections connections) {
       this.connections = connections;
@@ -151,6 +155,34 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
       calls.decrementAndGet();
     }
 
+    /** Has the end of this connection interrupt a thread, at once if it has ended. */
+    void interruptsAtItsEnd(Thread thread) {
+      synchronized (working) {
+        if (ended) {
+          thread.interrupt();
+        } else {
+          working.add(thread);
+        }
+      }
+    }
+
+    /** Has it not do that any more. A thread that was interrupted by it is so no longer. */
+    void leavesAlone(Thread current) {
+      synchronized (working) {
+        if (!working.remove(current)) {
+          boolean unused = Thread.interrupted();
+        }
+      }
+    }
+
+    private void interruptWorking() {
+      synchronized (working) {
+        ended = true;
+        working.forEach(Thread::interrupt);
+        working.clear();
+      }
+    }
+
     /** Sets whether the peer has something here that lives as long as it calls. */
     void setLeased(boolean leased) {
       this.leased = leased;
@@ -196,6 +228,7 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
         "UnsynchronizedOverridesSynchronized") // must not wait for a thread that waits for this one
     public void close() throws IOException {
       connections.remove(this);
+      interruptWorking();
       ReplyQueue last = replies();
       if (last != null && !isClosed()) {
         last.finish();

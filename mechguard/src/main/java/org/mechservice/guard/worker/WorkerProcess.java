@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -221,7 +222,7 @@ public final class WorkerProcess implements AutoCloseable {
     } catch (StreamCorruptedException | PeerGoneException e) {
       throw with.lost(e);
     } finally {
-      Confinement.end(with.process());
+      with.process().destroyForcibly();
     }
   }
 
@@ -233,6 +234,7 @@ public final class WorkerProcess implements AutoCloseable {
    * @throws IllegalArgumentException if the settings do not fit the model
    * @throws WorkerLostException if the process has ended without a result
    * @throws IOException if no process can be started
+   * @throws CancellationException if the thread is interrupted, which it stays
    */
   public List<Variable> columns(WorkerOrder order) throws IOException {
     List<Variable> named = new ArrayList<>();
@@ -249,7 +251,14 @@ public final class WorkerProcess implements AutoCloseable {
     try (Patience patience =
         new Patience(talk().process(), LONGEST_DESCRIPTION, "the first row of a run")) {
       patience.begin();
-      run(order, names, new RunControl(), Checkpoints.NONE);
+      try {
+        run(order, names, new RunControl(), Checkpoints.NONE);
+      } catch (WorkerLostException e) {
+        if (Thread.currentThread().isInterrupted()) {
+          throw new CancellationException("the caller was interrupted");
+        }
+        throw lost(patience, ASK_CLASSES).orElse(e);
+      }
     }
     return named;
   }
@@ -300,7 +309,7 @@ public final class WorkerProcess implements AutoCloseable {
   /** Ends the process, if there is one. */
   @Override
   public void close() {
-    process.ifPresent(Confinement::end);
+    process.ifPresent(Process::destroyForcibly);
   }
 
   /**
@@ -314,17 +323,17 @@ public final class WorkerProcess implements AutoCloseable {
           started.getOutputStream().write(WorkerMain.STOP);
           started.getOutputStream().flush();
           if (!started.waitFor(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
-            Confinement.end(started);
+            started.destroyForcibly();
           }
           return;
         }
         dialogue.letAskIfItMayBeHeld();
       }
     } catch (IOException e) {
-      Confinement.end(started); // it does not even listen
+      started.destroyForcibly(); // it does not even listen
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      Confinement.end(started);
+      started.destroyForcibly();
     }
   }
 

@@ -9,7 +9,6 @@ import java.lang.ref.Cleaner;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Function;
-import org.mechservice.guard.Confinement;
 import org.mechservice.guard.Patience;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.run.Failure;
@@ -67,7 +66,7 @@ public final class WorkerSteps implements StepwiseRun {
             this,
             () -> {
               waiting.close();
-              Confinement.end(started);
+              started.destroyForcibly();
             });
   }
 

@@ -2,6 +2,7 @@ package org.mechservice.server.hosts;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.API_VERSION;
@@ -20,6 +21,7 @@ import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.idl.ServerInfo;
 import org.mechservice.orb.ServiceVersion;
+import org.mechservice.orb.connection.InboundCall;
 import org.mechservice.orb.tls.Caller;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ShortText;
@@ -30,6 +32,7 @@ import org.mechservice.sim.service.limits.SetUpPlaces;
 import org.mechservice.sim.service.session.SessionNames;
 import org.mechservice.sim.service.setup.SetUpWorkers;
 import org.mechservice.sim.service.setup.SetUps;
+import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 /** The servant of the interface for clients. */
 public final class MechServerServant implements MechServerOperations {
@@ -73,7 +76,7 @@ public final class MechServerServant implements MechServerOperations {
     places = new SetUpPlaces(limits);
   }
 
-  /** Ends the processes in which models of other formats are read. */
+  /** Ends the processes that read models of other formats. */
   public void close() {
     setUps.close();
   }
@@ -159,11 +162,23 @@ public final class MechServerServant implements MechServerOperations {
       throw HostLimit.MODEL_BYTES.refusal(
           most, bytes, "the file has " + bytes + " bytes; this server takes at most " + most);
     }
-    SetUpPlaces.Place place = places.enter(SessionNames.ofClient(Caller.current().name("")));
+    InboundCall.Bond bond = InboundCall.boundToCaller();
     try {
-      SetUps.Translated translated = setUps.setUps().translate(foreign);
+      SetUps.Translated translated = translate(foreign);
       losses.value = translated.losses();
       return translated.model();
+    } catch (CancellationException e) {
+      throw new OBJECT_NOT_EXIST("the client has gone, or the server is closing");
+    } finally {
+      bond.release();
+    }
+  }
+
+  private SetUps.Translated translate(ModelFile foreign)
+      throws InvalidModel, NotAvailable, LimitExceeded {
+    SetUpPlaces.Place place = places.enter(SessionNames.ofClient(Caller.current().name("")));
+    try {
+      return setUps.setUps().translate(foreign);
     } finally {
       places.leave(place);
     }

@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import org.mechservice.guard.Confinement;
 import org.mechservice.guard.UserCode;
 import org.mechservice.guard.WorkerBounds;
+import org.mechservice.guard.worker.WorkerLostException;
 import org.mechservice.guard.worker.WorkerModel;
 import org.mechservice.guard.worker.WorkerOrder;
 import org.mechservice.guard.worker.WorkerProcess;
@@ -103,6 +105,8 @@ final class WorkerTask implements RunTask {
   /**
    * Computes the first row in a process of its own. If there is none, the reason is the same that
    * will end the run, which reports it.
+   *
+   * @throws CancellationException if the thread is interrupted: its session has ended
    */
   private Optional<List<Variable>> columnsWithValuesOfForces() {
     RunSettings settings = request.settings();
@@ -110,7 +114,7 @@ final class WorkerTask implements RunTask {
         new RunRequest(settings.withOutput(settings.tStart(), settings.tStep()), request.columns());
     try (WorkerProcess other = new WorkerProcess(Confinement.ofThisMachine(), bounds)) {
       return Optional.of(other.columns(order(first)));
-    } catch (IOException | IllegalArgumentException e) {
+    } catch (IOException | IllegalArgumentException | WorkerLostException e) {
       LOG.debug("no columns from the classes of users", e);
       return Optional.empty();
     }

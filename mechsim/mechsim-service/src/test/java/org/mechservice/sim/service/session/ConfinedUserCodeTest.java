@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.FutureTask;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -33,6 +34,7 @@ import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.user.PushedCart;
+import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 /**
  * The wall of the operating system holds alone: with the allow-list of bytecode switched off,
@@ -41,6 +43,8 @@ import org.mechservice.sim.user.PushedCart;
 @Tag("slow")
 class ConfinedUserCodeTest {
   private static final String PUSH = "loads.addJointForce(slide, 3);";
+
+  private static final NameValue[] FORCES = {new NameValue("columns", "joints,forces")};
 
   /** Velocity of the cart at the end of the run, m/s. */
   private static final double INSIDE = 1.5;
@@ -148,22 +152,36 @@ class ConfinedUserCodeTest {
   /** The columns of a force's values are known when its first row is computed. */
   @Test
   void firstRowThatDoesNotEndEndsWithItsClient() throws Exception {
-    NameValue[] forces = {new NameValue("columns", "joints,forces")};
     try (HostedClient there = host(HostLimits.DEFAULT)) {
       MechSim session = there.emptySession();
       String text = pushing("while (slide < 1000) { slide = slide % 7; }");
       ModelFile force = new ModelFile("car/Push.java", text.getBytes(StandardCharsets.UTF_8));
       session.loadModel(new ModelFile("pushed.xml", PushedCart.file()), new ModelFile[] {force});
-      Thread client =
-          new Thread(
-              () -> {
-                var unused = catchThrowable(() -> session.createSimulation(forces, null));
-              });
-      client.start();
+      FutureTask<Throwable> client =
+          new FutureTask<>(() -> catchThrowable(() -> session.createSimulation(FORCES, null)));
+      new Thread(client).start();
       Eventually.holds(() -> workers() == 1);
       session.destroy();
       Eventually.holds(() -> workers() == 0);
-      client.join();
+      assertThat(client.get()).as("no incident of the host").isInstanceOf(OBJECT_NOT_EXIST.class);
+    }
+  }
+
+  /**
+   * The host asks for its columns before there is a run; the reason is in the report of the run.
+   */
+  @Test
+  void classThatEndsItsProcessInTheFirstRowFailsItsRun() throws Exception {
+    try (HostedClient there = host(HostLimits.DEFAULT)) {
+      MechSim session = there.emptySession();
+      String text = pushing("System.exit(7);");
+      ModelFile force = new ModelFile("car/Push.java", text.getBytes(StandardCharsets.UTF_8));
+      session.loadModel(new ModelFile("pushed.xml", PushedCart.file()), new ModelFile[] {force});
+      IMechSimRemote run = session.createSimulation(FORCES, null);
+      run.start();
+      Eventually.holds(() -> run.getProgress().state == SimState.SIM_FAILED);
+      assertThat(run.failure().code).isEqualTo("S-157");
+      assertThat(run.failure().text).contains("with status 7");
     }
   }
 
