@@ -72,7 +72,7 @@ public class ConfinementTest {
                   new WorkerBounds(1 << 26, 60), ConfinementProbe.class, List.of("0", mark)));
       FutureTask<byte[]> reading = new FutureTask<>(started.getInputStream()::readAllBytes);
       new Thread(reading).start();
-      TimeUnit.MICROSECONDS.sleep(500 * i);
+      TimeUnit.MICROSECONDS.sleep(500L * i);
       ProcessHandle.of(started.pid()).ifPresent(ProcessHandle::destroyForcibly);
       said.add(reading);
     }
