@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.Set;
 import org.mechservice.cli.admin.AdminCommand;
+import org.mechservice.cli.clearance.ClearanceCommand;
 import org.mechservice.cli.model.BuildCommand;
 import org.mechservice.cli.model.CheckCommand;
 import org.mechservice.cli.model.ExamplesCommand;
@@ -72,6 +73,7 @@ public final class Mech {
           StudyCommand.class,
           OptimiseCommand.class,
           GradientCommand.class,
+          ClearanceCommand.class,
           IdentifyCommand.class,
           FetchCommand.class,
           CompareCommand.class,
