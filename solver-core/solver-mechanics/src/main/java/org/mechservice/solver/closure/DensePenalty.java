@@ -9,7 +9,6 @@ final class DensePenalty implements PenaltyEquations {
   private final DenseAugmentedEquations equations;
   private final SparseMatrix rows;
   private final double[] offset;
-  private final boolean[] isHeld;
 
   /**
    * @param stiffness penalty over the largest inertia
@@ -21,7 +20,6 @@ final class DensePenalty implements PenaltyEquations {
     rows = work.loops.stateRows(work.nv, holds);
     equations = DenseAugmentedEquations.symmetric(rows, work.units.velocities);
     offset = new double[rows.rows()];
-    isHeld = new boolean[holds ? work.nv : 0];
   }
 
   @Override
@@ -29,7 +27,6 @@ final class DensePenalty implements PenaltyEquations {
     work.formMass();
     work.loops.scaledRows(rows);
     for (int k = 0; k < held.length; k++) {
-      isHeld[k] = held[k];
       int place = rows.start[work.loops.count() + k];
       rows.value[place] = held[k] ? 1 / work.units.velocities[k] : 0;
     }
@@ -53,9 +50,6 @@ final class DensePenalty implements PenaltyEquations {
   public void solve(double[] right, double[] ofLoops, double[] x, int at) {
     System.arraycopy(ofLoops, 0, offset, 0, work.loops.count());
     equations.solve(right, offset, x, at);
-    for (int k = 0; k < isHeld.length; k++) {
-      x[at + k] = isHeld[k] ? 0 : x[at + k]; // which was a rounding error
-    }
   }
 
   @Override

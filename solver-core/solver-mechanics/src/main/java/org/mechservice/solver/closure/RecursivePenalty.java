@@ -68,7 +68,7 @@ final class RecursivePenalty implements PenaltyEquations {
   }
 
   /** Returns whether velocities of balls are held all three or not at all. */
-  private boolean areWholeJoints(boolean[] held) {
+  boolean areWholeJoints(boolean[] held) {
     for (int k = 1; k < held.length; k++) {
       boolean ofOneJoint = work.tree.linkOfVelocity[k] == work.tree.linkOfVelocity[k - 1];
       if (ofOneJoint && held[k] != held[k - 1]) {
