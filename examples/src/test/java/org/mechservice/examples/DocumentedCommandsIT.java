@@ -33,6 +33,7 @@ class DocumentedCommandsIT {
         "docs/first-steps.md",
         "docs/curves.md",
         "docs/fmu.md",
+        "docs/clearance.md",
         "docs/gradients.md",
         "docs/study.md",
         "docs/optimise.md",

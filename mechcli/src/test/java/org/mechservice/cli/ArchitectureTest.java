@@ -46,6 +46,7 @@ class ArchitectureTest {
               List.of(
                   "solver.mechanism",
                   "solver.kinematics",
+                  "solver.distance",
                   "solver.links",
                   "solver.step",
                   "solver.force",

@@ -256,7 +256,7 @@ public final class ClearanceCommand implements Callable<Integer> {
     }
     if (all.isEmpty()) {
       throw new IllegalArgumentException(
-          "no two bodies have a shape and no joint in common; give them <solids> or a <look>, or"
+          "no two bodies have a shape and no joint in common; give them a <box>, another solid or a <look>, or"
               + " name joined ones by --pairs");
     }
     return all;
@@ -278,7 +278,7 @@ public final class ClearanceCommand implements Callable<Integer> {
       }
       if (!shapes.has(name)) {
         throw new IllegalArgumentException(
-            "body \"" + name + "\" has no shape; give it solids or a <look>");
+            "body \"" + name + "\" has no shape; give it a <box>, another solid or a <look>");
       }
     }
     return new Pair(both[0], both[1]);
@@ -326,7 +326,7 @@ public final class ClearanceCommand implements Callable<Integer> {
           }
           text.append(String.format(Locale.ROOT, "%.6g s", result.time()));
           if (result.least() > 0) {
-            text.append("; never nearer than ").append(millimetres(surely(result, motion)));
+            text.append("; at all times at least ").append(millimetres(surely(result, motion)));
           }
           if (result.band() > 0) {
             text.append("; facets ").append(millimetres(result.band()));

@@ -42,6 +42,9 @@ public final class Clearance {
   private final double[] nearestB = new double[3];
   private int examined;
 
+  /** Least bound of the pieces that were left out. */
+  private double leftOut;
+
   /**
    * The least distance of two bodies.
    *
@@ -115,6 +118,7 @@ public final class Clearance {
     placed = -1;
     least = Double.POSITIVE_INFINITY;
     examined = 0;
+    leftOut = Double.POSITIVE_INFINITY;
     PriorityQueue<Piece> pieces = new PriorityQueue<>(Comparator.comparingDouble(Piece::lower));
     int last = Math.max(1, times.length - 1);
     for (int row = 0; row < last; row++) {
@@ -124,18 +128,18 @@ public final class Clearance {
     while (!pieces.isEmpty()) {
       Piece piece = pieces.poll();
       if (piece.lower() >= least - accuracy || least == 0) {
-        return result(Math.min(least, piece.lower()));
+        return result(piece.lower());
       }
       if (++examined > MOST_PARTS) {
         throw new ArithmeticException("the bounds do not meet");
       }
       examine(piece, pieces);
     }
-    return result(least);
+    return result(Double.POSITIVE_INFINITY);
   }
 
-  private Result result(double ofPolytopes) {
-    double proved = Math.max(0, ofPolytopes - band);
+  private Result result(double ofRest) {
+    double proved = Math.max(0, Math.min(least, Math.min(leftOut, ofRest)) - band);
     return new Result(proved, least, instant, nearestA.clone(), nearestB.clone(), band, examined);
   }
 
@@ -177,9 +181,7 @@ public final class Clearance {
     path.controls(from, to, b.centre, alone);
     double bound = distance.between(new PointHull(a.centre, 0), single);
     bound = Math.max(0, distance.lowerBound()) - a.radius - b.radius;
-    if (bound < least - accuracy || accuracy == 0 && bound < least) {
-      pieces.add(new Piece(bound, row, from, to, a, b, false));
-    }
+    keep(new Piece(bound, row, from, to, a, b, false), pieces);
   }
 
   /** Adds a piece with the bound of hulls, and tries the instant in its middle. */
@@ -207,8 +209,15 @@ public final class Clearance {
     path.controls(from, to, points, all.points);
     distance.between(partA.shape(), all.hull);
     double bound = distance.lowerBound() - partB.margin();
-    if (bound < least - accuracy) {
-      pieces.add(new Piece(bound, row, from, to, a, b, true));
+    keep(new Piece(bound, row, from, to, a, b, true), pieces);
+  }
+
+  /** Keeps a piece that may matter; of others the bound alone. */
+  private void keep(Piece piece, PriorityQueue<Piece> pieces) {
+    if (piece.lower() < least - accuracy) {
+      pieces.add(piece);
+    } else {
+      leftOut = Math.min(leftOut, piece.lower());
     }
   }
 

@@ -63,6 +63,23 @@ class ClearanceTest {
     assertThat(result.onB()[1]).isCloseTo(0.105, within(1e-4));
   }
 
+  /** Whatever the accuracy: pieces of the time that were left out early have bounds, too. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-4, 1e-5, 1e-6})
+  void boundHoldsAtEveryAccuracy(double accuracy) {
+    for (double begin = 0; begin < 0.2; begin += 0.013) {
+      rows(36, begin);
+      double gap = 1e-3;
+      List<SolidPart> post = List.of(SolidPart.ball(new double[] {0, 0.11 + gap, 0}, 0.005));
+      Clearance.Result result =
+          new Clearance(post, List.of(pin(0.005))).along(times, still, turning, accuracy);
+      double curve = 0.1 * Math.pow(TURN / 36, 4) / 384;
+      assertThat(result.proved()).isLessThanOrEqualTo(gap + curve);
+      assertThat(result.least()).isGreaterThanOrEqualTo(gap - curve);
+      assertThat(result.least() - result.proved()).isLessThanOrEqualTo(accuracy * (1 + 1e-9));
+    }
+  }
+
   @Test
   void hitThatAllRowsStepOverIsFound() {
     rows(36, Math.PI / 36);
