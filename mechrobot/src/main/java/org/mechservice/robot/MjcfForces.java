@@ -16,6 +16,7 @@ import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.robot.Robot.Around;
 import org.mechservice.robot.Robot.Branch;
+import org.mechservice.robot.Robot.Coordinate;
 import org.mechservice.robot.Robot.Coupling;
 import org.mechservice.robot.Robot.CouplingSpring;
 import org.mechservice.robot.Robot.Eye;
@@ -25,6 +26,7 @@ import org.mechservice.robot.Robot.Freedom;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Loop;
 import org.mechservice.robot.Robot.PathSpring;
+import org.mechservice.robot.Robot.Place;
 import org.mechservice.robot.Robot.PointSpring;
 import org.mechservice.robot.Robot.Stop;
 import org.mechservice.robot.Robot.Waypoint;
@@ -89,6 +91,8 @@ final class MjcfForces {
   private final ImportLosses losses;
   private final MjcfActuators actuators;
   private final RobotInertia inertia;
+  private final MjcfArmatures armatures;
+  private final List<Joint> rotors = new ArrayList<>();
   private final List<Loop> loops = new ArrayList<>();
   private final List<Coupling> couplings = new ArrayList<>();
   private final List<Force> forces = new ArrayList<>();
@@ -103,6 +107,7 @@ final class MjcfForces {
       Map<String, Geom> geoms,
       Map<String, Double> references,
       RobotInertia inertia,
+      MjcfArmatures armatures,
       MjcfOptions options,
       RobotNumbers numbers,
       Diagnostics diagnostics,
@@ -117,6 +122,7 @@ final class MjcfForces {
     this.diagnostics = diagnostics;
     this.losses = losses;
     this.inertia = inertia;
+    this.armatures = armatures;
     actuators =
         new MjcfActuators(
             this.joints,
@@ -136,6 +142,14 @@ final class MjcfForces {
 
   List<Coupling> couplings() {
     return couplings;
+  }
+
+  /**
+   * Returns the joints of rotors that turn with tendons, between the world and links without mass
+   * of their own; they exist only in these joints.
+   */
+  List<Joint> rotors() {
+    return rotors;
   }
 
   /** Returns the forces, those of motors last. */
@@ -488,6 +502,9 @@ final class MjcfForces {
     if (options.friction() && numbers.optional(tendon, "frictionloss", 0) != 0) {
       losses.motion(tendon, "its frictionloss is left out");
     }
+    if (tendon.name().equals("spatial") && numbers.optional(tendon, "armature", 0) != 0) {
+      losses.motion(tendon, "its armature is left out: it is read at tendons over joints");
+    }
     double stiffness = options.springs() ? first(tendon, "stiffness") : 0;
     double damping = options.dampers() ? first(tendon, "damping") : 0;
     Optional<List<Double>> range = range(scope, tendon);
@@ -497,8 +514,38 @@ final class MjcfForces {
       return;
     }
     tendon.attribute("name").ifPresent(name -> tendons.put(scope.named(name), read.get()));
+    if (read.get().terms().size() > 1) {
+      addRotor(tendon, read.get(), armatures.along(scope, tendon));
+    }
     addSpring(tendon, read.get(), stiffness, damping);
     range.ifPresent(ends -> addLimits(tendon, read.get(), ends));
+  }
+
+  /** Adds the inertia along a tendon over several joints as a rotor that turns by its length. */
+  private void addRotor(Element element, Tendon tendon, double armature) {
+    if (!(armature > 0)) {
+      return;
+    }
+    Set<String> taken = new HashSet<>(joints.keySet());
+    taken.addAll(inWorld.keySet());
+    rotors.forEach(other -> taken.add(other.name()));
+    String name = element.attribute("name").orElse("tendon") + " rotor";
+    while (!taken.add(name)) {
+      name += "_";
+    }
+    rotors.add(
+        new Joint(
+            element,
+            name,
+            tendon.angle() ? Freedom.CONTINUOUS : Freedom.PRISMATIC,
+            MjcfReader.WORLD,
+            name,
+            Place.at(Frame.SAME, new Vector3(1, 0, 0)),
+            Coordinate.FREE.armed(armature)));
+    Map<String, Double> terms = new LinkedHashMap<>(Map.of(name, 1.0));
+    tendon.terms().forEach((joint, factor) -> terms.put(joint, -factor));
+    couplings.add(
+        new Coupling(element, made(element, name, constraintNames), terms, Optional.empty(), 0));
   }
 
   private Optional<List<Double>> range(MjcfReader.Scope scope, Element tendon) {

@@ -28,6 +28,7 @@ import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Link;
 import org.mechservice.robot.Robot.Place;
 import org.mechservice.robot.Robot.PoseSpring;
+import org.mechservice.robot.Robot.Start;
 import org.mechservice.robot.Robot.Visual;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
@@ -161,7 +162,9 @@ final class MjcfReader {
                           options.gravity().times(-factor * inertial.mass()))));
     }
     addMedium(whole);
-    armMotors();
+    MjcfArmatures armatures = new MjcfArmatures(scopes, numbers, losses);
+    joints.replaceAll(armatures::armed);
+    reportMotorsAgainstWeight();
     RobotInertia inertia = new RobotInertia(whole, joints);
     springDampers.forEach((joint, values) -> makeSpring(joint, values, inertia));
     turnBack();
@@ -173,6 +176,7 @@ final class MjcfReader {
             geoms,
             references,
             inertia,
+            armatures,
             options,
             numbers,
             diagnostics,
@@ -183,16 +187,21 @@ final class MjcfReader {
     boolean alignsFree = compiler.setting("alignfree").filter("true"::equals).isPresent();
     MjcfKeyframe start =
         new MjcfKeyframe(joints, references, alignsFree, numbers, diagnostics, losses);
+    Map<String, Start> starts = start.read(root, keyframe);
+    List<Link> all = new ArrayList<>(whole);
+    more.rotors()
+        .forEach(rotor -> all.add(new Link(rotor.element(), rotor.child(), Optional.empty())));
+    joints.addAll(more.rotors());
     return new Robot(
         RobotFormat.MJCF,
         root.attribute("model").orElse("robot"),
         Optional.of(options.gravity()),
-        whole,
+        all,
         joints,
         more.loops(),
         more.couplings(),
         forces,
-        start.read(root, keyframe));
+        starts);
   }
 
   private void addMedium(List<Link> whole) {
@@ -208,39 +217,7 @@ final class MjcfReader {
     }
   }
 
-  /** Gives joints the inertia of their motors beside their own, with the square of the gear. */
-  private void armMotors() {
-    Map<String, Double> armatures = new HashMap<>();
-    Set<Map.Entry<Element, String>> seen = new HashSet<>();
-    for (Scope scope : scopes) {
-      for (Element actuator : scope.file().all("actuator")) {
-        double armature = numbers.optional(actuator, "armature", 0);
-        Optional<String> joint =
-            actuator
-                .attribute("joint")
-                .or(() -> actuator.attribute("jointinparent"))
-                .map(scope::named);
-        if (armature == 0) {
-          continue;
-        }
-        if (joint.isEmpty()) {
-          losses.motion(actuator, "its armature is left out: it is read at motors of one joint");
-        } else if (seen.add(Map.entry(actuator, joint.get()))) {
-          double gear =
-              actuator
-                  .attribute("gear")
-                  .map(text -> numbers.read(actuator, "gear", text, 1, 6).get(0))
-                  .orElse(1.0);
-          armatures.merge(joint.get(), gear * gear * armature, Double::sum);
-        }
-      }
-    }
-    joints.replaceAll(
-        joint -> {
-          double own = joint.coordinate().armature();
-          double more = armatures.getOrDefault(joint.name(), 0.0);
-          return joint.with(joint.coordinate().armed(own + more));
-        });
+  private void reportMotorsAgainstWeight() {
     if (!weightless.isEmpty()) {
       joints.stream()
           .map(Joint::element)

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -15,6 +16,7 @@ import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.robot.Robot.BodyForce;
 import org.mechservice.robot.Robot.Coordinate;
+import org.mechservice.robot.Robot.Coupling;
 import org.mechservice.robot.Robot.FileShape;
 import org.mechservice.robot.Robot.Force;
 import org.mechservice.robot.Robot.Frame;
@@ -41,6 +43,9 @@ final class SdfReader {
   private static final List<String> MOMENTS = List.of("ixx", "iyy", "izz", "ixy", "ixz", "iyz");
   private static final double WATER = 1000;
 
+  /** Least cosine between axes that count as one: files write angles with some seven digits. */
+  private static final double PARALLEL = 1 - 1e-9;
+
   /** SDF's gravity of a world that gives none, m/s². */
   private static final Vector3 WORLD_GRAVITY = new Vector3(0, 0, -9.8);
 
@@ -58,6 +63,11 @@ final class SdfReader {
   private final List<Joint> joints = new ArrayList<>();
   private final Set<String> fixed = new HashSet<>();
   private final List<Force> forces = new ArrayList<>();
+  private final List<Coupling> couplings = new ArrayList<>();
+
+  /** Reads the gears, once all joints are known. */
+  private final List<Runnable> gears = new ArrayList<>();
+
   private final Map<String, Start> starts = new HashMap<>();
   private final RobotFiles files;
   private Vector3 gravity = GRAVITY;
@@ -115,6 +125,7 @@ final class SdfReader {
     for (Element joint : world.map(one -> one.children("joint")).orElse(List.of())) {
       joint.attribute("name").ifPresent(name -> readJoint("", name, joint));
     }
+    gears.forEach(Runnable::run);
     attachFreeLinks();
     return new Robot(
         RobotFormat.SDF,
@@ -123,7 +134,7 @@ final class SdfReader {
         links,
         joints,
         List.of(),
-        List.of(),
+        couplings,
         forces,
         starts);
   }
@@ -334,7 +345,10 @@ final class SdfReader {
   }
 
   private void readJoint(String scope, String name, Element element) {
-    numbers.requireOnce(element, List.of("parent", "child", "axis", "axis2", "pose"));
+    numbers.requireOnce(
+        element,
+        List.of(
+            "parent", "child", "axis", "axis2", "pose", "gearbox_ratio", "gearbox_reference_body"));
     Optional<String> parent = end(scope, element, "parent");
     Optional<String> child = end(scope, element, "child");
     String type = element.attribute("type").map(String::strip).orElse("");
@@ -427,15 +441,73 @@ final class SdfReader {
                 Place.along(Frame.SAME, jointInChild.at(), direction(scope, name, second, below)),
                 new SdfAxis(second, numbers).coordinate(false, 0, mimic(scope, second))));
       }
+      case "gearbox" ->
+          gears.add(() -> readGear(scope, name, element, parent.get(), child.get(), below));
       default ->
           diagnostics.error(
               MessageCode.VALUE_NOT_IN_LIST,
               element.position(),
               Phrase.of(
                   "%s: type is %s; the import knows revolute, continuous, prismatic, fixed, ball,"
-                      + " universal, revolute2, screw",
+                      + " universal, revolute2, screw, gearbox",
                   element.label(), Quoted.of(type)));
     }
+  }
+
+  /**
+   * Reads a gear as an equation between two hinges of its reference body: the angle of the child
+   * about axis2 is -ratio times that of the parent about axis. A gear leaves both bodies free.
+   */
+  private void readGear(
+      String scope, String name, Element gear, String parent, String child, Frame below) {
+    Optional<String> base = end(scope, gear, "gearbox_reference_body");
+    if (base.isEmpty()) {
+      return;
+    }
+    double ratio = numbers.text(gear, "gearbox_ratio", 1);
+    Map<String, Double> terms = new LinkedHashMap<>();
+    addAngle(gear, base.get(), parent, inWorld(scope, name, gear, "axis", below), ratio, terms);
+    addAngle(gear, base.get(), child, inWorld(scope, name, gear, "axis2", below), 1, terms);
+    if (terms.size() == 2) {
+      couplings.add(new Coupling(gear, scope + name, terms, Optional.empty(), 0));
+    }
+  }
+
+  private Vector3 inWorld(String scope, String name, Element gear, String axis, Frame below) {
+    return below.turn().apply(direction(scope, name, axis(gear, axis), below));
+  }
+
+  /** Adds the angle of a link against the reference body of a gear, by the hinge between them. */
+  private void addAngle(
+      Element gear,
+      String base,
+      String link,
+      Vector3 axis,
+      double factor,
+      Map<String, Double> terms) {
+    for (Joint joint : joints) {
+      boolean outward = joint.parent().equals(base) && joint.child().equals(link);
+      boolean inward = joint.parent().equals(link) && joint.child().equals(base);
+      boolean turns = joint.type() == Freedom.REVOLUTE || joint.type() == Freedom.CONTINUOUS;
+      if (turns && (outward || inward)) {
+        Vector3 own = frames.inWorld(joint.child()).turn().apply(joint.place().axis());
+        double along = own.dot(axis);
+        if (Math.abs(along) < PARALLEL) {
+          numbers.contradiction(
+              gear,
+              Phrase.of(
+                  "its axis for link %s is not that of joint %s, by which the link turns in %s",
+                  Quoted.of(link), Quoted.of(joint.name()), Quoted.of(base)));
+        }
+        terms.merge(joint.name(), Math.signum(along) * (outward ? factor : -factor), Double::sum);
+        return;
+      }
+    }
+    numbers.contradiction(
+        gear,
+        Phrase.of(
+            "no hinge is between link %s and its gearbox_reference_body %s",
+            Quoted.of(link), Quoted.of(base)));
   }
 
   /** Returns the link that an end of a joint names, directly or by a frame attached to it. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.regex.Matcher;
@@ -13,7 +14,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -231,6 +235,69 @@ class RobotFormatsTest {
         .isCloseTo(-0.5, within(ROUNDING));
   }
 
+  /**
+   * A gear between two wheels about z, 1 and 0.4 kg·m²: a torque of 2 N·m at the first turns both
+   * as one of 1 + 3² · 0.4 kg·m², the second -3 times as fast. The second hinge is written from the
+   * wheel to the frame, and its axis and that of the gear point down.
+   */
+  @ParameterizedTest
+  @CsvSource({"base, b, 1, 1, 3", "b, base, 1, 1, -3", "base, b, -1, 1, -3", "base, b, 1, -1, -3"})
+  void gearTurnsTheSecondWheelByItsRatio(
+      String parent, String child, int ofHinge, int ofGear, double factor) throws MechmlException {
+    String wheel =
+        "<link name='%s'><inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>%s</izz>"
+            + "</inertia></inertial></link>";
+    String hinge =
+        "<joint name='%s' type='revolute'><parent>%s</parent><child>%s</child><axis><xyz>0 0 %d</xyz>"
+            + "<dynamics>%s</dynamics></axis></joint>";
+    MechmlModel robot =
+        read(
+            sdf(
+                "<link name='base'/><joint name='w' type='fixed'><parent>world</parent>"
+                    + "<child>base</child></joint>"
+                    + wheel.formatted("a", "1")
+                    + wheel.formatted("b", "0.4")
+                    + hinge.formatted(
+                        "ja",
+                        "base",
+                        "a",
+                        1,
+                        "<spring_stiffness>2</spring_stiffness>"
+                            + "<spring_reference>1</spring_reference>")
+                    + hinge.formatted("jb", parent, child, ofHinge, "")
+                    + "<joint name='g' type='gearbox'><parent>a</parent><child>b</child>"
+                    + "<axis><xyz>0 0 1</xyz></axis><axis2><xyz>0 0 "
+                    + ofGear
+                    + "</xyz></axis2><gearbox_ratio>3</gearbox_ratio>"
+                    + "<gearbox_reference_body>base</gearbox_reference_body></joint>"));
+    double[] a = acceleration(robot);
+    int ja = velocity(robot, "ja");
+    int jb = velocity(robot, "jb");
+    assertThat(a[ja]).isCloseTo(2 / (1 + 9 * 0.4), within(ROUNDING));
+    assertThat(a[jb]).isCloseTo(-factor * a[ja], within(ROUNDING));
+  }
+
+  private static int velocity(MechmlModel robot, String joint) {
+    Mechanism mechanism = robot.mechanism();
+    for (int i = 0; i < mechanism.joints().size(); i++) {
+      if (mechanism.joints().get(i).name().equals(joint)) {
+        return mechanism.velocityOffset(i);
+      }
+    }
+    throw new AssertionError(joint);
+  }
+
+  /** Returns dv/dt of a closed mechanism at its start. */
+  private static double[] acceleration(MechmlModel robot) {
+    Mechanism mechanism = robot.mechanism();
+    ClosedMechanism closed = new ClosedMechanism(mechanism, "DSR", robot.settings().run());
+    double[] y = closed.start().state();
+    double[] rate = new double[y.length];
+    new ProjectionModel(closed, UserForceSource.NONE).derivative(0, y, rate);
+    int at = mechanism.positionCount();
+    return Arrays.copyOfRange(rate, at, at + mechanism.velocityCount());
+  }
+
   private static List<String> codes(String robot) {
     try {
       return RobotImport.of("r", robot.getBytes(StandardCharsets.UTF_8)).losses().stream()
@@ -247,7 +314,7 @@ class RobotFormatsTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "type=\"prismatic\" | type=\"gearbox\" | M-009",
+        "type=\"prismatic\" | type=\"helical\" | M-009",
         "<child>tip</child> | <child>top</child> | M-014",
         "<child>tip</child> |  | M-081",
         "relative_to=\"arm\" | relative_to=\"tip\" | M-084",
