@@ -48,6 +48,7 @@ record MjcfFile(Element root, Path folder) {
       Element mujoco, RobotFiles files, Path folder, Diagnostics diagnostics, ImportLosses losses) {
     Element whole = new Includes(files, folder, diagnostics).put(mujoco);
     FormatTable.of(RobotFormat.MJCF).checkNames(whole, diagnostics, losses);
+    new MjcfRules(new RobotNumbers(diagnostics)).checkWritten(whole);
     return new MjcfFile(new Defaults(whole, diagnostics).applied(whole), folder);
   }
 

@@ -46,6 +46,9 @@ final class MjcfReader {
 
   private static final Vector3 AXIS = new Vector3(0, 0, 1);
 
+  /** Part of a sum of moments that the digits of a file may be off. */
+  private static final double ROUNDING = 1e-9;
+
   /** Models attached within each other; more are a circle. */
   private static final int MOST_ATTACHED = 20;
 
@@ -292,6 +295,7 @@ final class MjcfReader {
 
   private Scope scope(MjcfFile file, String prefix, String suffix) {
     MjcfCompiler compiler = new MjcfCompiler(file.root(), numbers);
+    new MjcfRules(numbers).checkComplete(file.root(), compiler.autolimits());
     Scope scope =
         new Scope(
             file,
@@ -541,6 +545,8 @@ final class MjcfReader {
     double leastMoment = compiler.number("boundinertia", 0);
     boolean balances = compiler.setting("balanceinertia").filter("true"::equals).isPresent();
     if (least <= 0 && leastMoment <= 0 && !balances) {
+      read.ifPresent(
+          one -> requirePossible(one.element(), PrincipalAxes.of(one.moments()).moments()));
       return read;
     }
     Inertial inertial =
@@ -554,12 +560,27 @@ final class MjcfReader {
     if (balances && Arrays.stream(moments).anyMatch(m -> 2 * m > sum)) {
       Arrays.fill(moments, sum / 3);
     }
+    requirePossible(inertial.element(), moments);
     return Optional.of(
         new Inertial(
             inertial.element(),
             inertial.frame().times(new Frame(Vector3.ZERO, axes.frame())),
             Math.max(inertial.mass(), Math.max(least, 0)),
             List.of(moments[0], moments[1], moments[2], 0.0, 0.0, 0.0)));
+  }
+
+  /** MuJoCo refuses moments that no body has; of meshes and fits rounding may be beyond. */
+  private void requirePossible(Element inertial, double[] moments) {
+    double sum = moments[0] + moments[1] + moments[2];
+    double most = Arrays.stream(moments).max().orElse(0);
+    if (inertial.name().equals("inertial") && 2 * most > sum * (1 + ROUNDING)) {
+      numbers.contradiction(
+          inertial,
+          "its largest principal moment, "
+              + most
+              + " kg*m^2, is more than the sum of the others; MuJoCo then needs"
+              + " balanceinertia=\"true\" of the compiler");
+    }
   }
 
   /** Collects the joints and shapes of a body, also those in frames and replicas. */
