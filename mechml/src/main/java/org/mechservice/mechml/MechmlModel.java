@@ -27,6 +27,7 @@ public final class MechmlModel {
   private final List<Diagnostic> warnings;
   private final Set<MessageCode> silenced;
   private final Scenery scenery;
+  private final List<String> dataFiles;
 
   /** Kept, since it takes long to compute and all callers use the same one. */
   private Optional<ClosedStart> closedStart = Optional.empty();
@@ -45,6 +46,8 @@ public final class MechmlModel {
    * @param warnings diagnostics below errors, in file order, without the silenced ones
    * @param silenced warnings that are silenced
    * @param scenery what the file says for the eye beside the mechanism
+   * @param dataFiles of tables, each with how it is written, such as {@code table "road": road.csv,
+   *     cells between semicolons, decimals with a comma}
    */
   public MechmlModel(
       Mechanism mechanism,
@@ -56,7 +59,8 @@ public final class MechmlModel {
       List<String> unused,
       List<Diagnostic> warnings,
       Set<MessageCode> silenced,
-      Scenery scenery) {
+      Scenery scenery,
+      List<String> dataFiles) {
     this.mechanism = mechanism;
     this.inputCount = inputCount;
     this.settings = settings;
@@ -67,6 +71,7 @@ public final class MechmlModel {
     this.warnings = List.copyOf(warnings);
     this.silenced = Set.copyOf(silenced);
     this.scenery = scenery;
+    this.dataFiles = List.copyOf(dataFiles);
   }
 
   /** Creates a model of whose bodies masses alone are known. */
@@ -90,7 +95,8 @@ public final class MechmlModel {
         unused,
         warnings,
         silenced,
-        Scenery.NONE);
+        Scenery.NONE,
+        List.of());
   }
 
   /** Creates a model none of whose parameters is an input. */
@@ -146,6 +152,11 @@ public final class MechmlModel {
   /** Returns the points, vectors and parameters that nothing refers to. */
   public List<String> unused() {
     return unused;
+  }
+
+  /** Returns the files of tables, each with how it is written, in file order. */
+  public List<String> dataFiles() {
+    return dataFiles;
   }
 
   /** Returns the diagnostics below errors, in file order, without the silenced ones. */
@@ -213,7 +224,8 @@ public final class MechmlModel {
         unused,
         warnings,
         silenced,
-        scenery);
+        scenery,
+        dataFiles);
   }
 
   /** Returns the mechanism with the events of the chosen simulation. */

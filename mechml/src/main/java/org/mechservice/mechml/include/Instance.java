@@ -39,6 +39,7 @@ final class Instance {
           "fileName",
           "graphSrc",
           "file",
+          "layout",
           "sha256",
           "xColumn",
           "yColumn",

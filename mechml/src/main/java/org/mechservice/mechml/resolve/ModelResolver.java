@@ -9,6 +9,8 @@ import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.simulation.EventsReader;
 import org.mechservice.mechml.resolve.simulation.SimulationsReader;
@@ -89,7 +91,23 @@ public final class ModelResolver {
             .filter(said -> said.severity() == Severity.ERROR || !silenced.contains(said.code()))
             .toList(),
         silenced,
-        reader.get().scenery());
+        reader.get().scenery(),
+        dataFiles(model));
+  }
+
+  /** Returns the files of tables as {@code mech check} shows them. */
+  private static List<String> dataFiles(Element model) {
+    return model.children("Tables").stream()
+        .flatMap(tables -> tables.children().stream())
+        .filter(table -> table.attribute("layout").isPresent())
+        .map(
+            table ->
+                Phrase.of(
+                    "%s: %s, %s",
+                    table.label(),
+                    Quoted.plain(table.attribute("file").orElse("")),
+                    Quoted.plain(table.attribute("layout").orElse(""))))
+        .toList();
   }
 
   /** Returns what becomes of inputs: a linearisation varies them, also those with a table. */

@@ -50,6 +50,7 @@ final class CheckJson {
     }
     object.add("forces", gson.toJsonTree(scene.forces()));
     object.add("unused", gson.toJsonTree(report.model().unused()));
+    object.add("dataFiles", gson.toJsonTree(report.model().dataFiles()));
     object.add("warnings", warnings());
     report.refusal().ifPresent(why -> object.addProperty("unusable", why));
     object.add("simpler", gson.toJsonTree(scene.offers()));

@@ -33,6 +33,9 @@ final class CheckText {
     if (!report.model().unused().isEmpty()) {
       list("Not used", report.model().unused());
     }
+    if (!report.model().dataFiles().isEmpty()) {
+      list("Data files", report.model().dataFiles());
+    }
     list("Warnings", report.warnings());
     if (!scene.offers().isEmpty()) {
       list("Could be simpler", scene.offers());

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -109,6 +110,27 @@ class CheckReportTest {
             Severity.WARNING, MessageCode.MORE_MESSAGES, "odd", "p.xml", 3, 4, "MechML/MBSmodel");
     MechmlModel model = new MechmlModel(plain.mechanism(), plain.settings(), List.of(noticed));
     assertThat(CheckReport.of(model).warnings()).containsExactly("p.xml:3:4: M-019 odd");
+  }
+
+  @Test
+  void layoutsOfDataFilesAreStated() throws Exception {
+    String plain =
+        Files.readString(Path.of("..", "..", "examples", "pendulum", "pendulum.xml"))
+            .replaceFirst(
+                "(?=<Bodies)",
+                "<Tables><table name='road' x='0;1' y='0;1' file='road.csv'"
+                    + " layout='cells between tabs, decimals with a comma'/></Tables>");
+    CheckReport report =
+        CheckReport.of(MechmlReader.read("p.xml", plain.getBytes(StandardCharsets.UTF_8)));
+    String stated = "table \"road\": road.csv, cells between tabs, decimals with a comma";
+    assertThat(report.text()).contains("Data files:\n  " + stated + "\n");
+    assertThat(
+            JsonParser.parseString(report.json())
+                .getAsJsonObject()
+                .getAsJsonArray("dataFiles")
+                .get(0)
+                .getAsString())
+        .isEqualTo(stated);
   }
 
   private static CheckReport example(String file) throws Exception {

@@ -135,6 +135,12 @@ final class CsvTable {
     return cells;
   }
 
+  /** Returns how the file is written, in words: what divides its cells, and its decimal mark. */
+  String layout() {
+    return "cells between %s, decimals with a %s"
+        .formatted(name(delimiter), decimalComma ? "comma" : "point");
+  }
+
   /** Returns the number of rows. */
   int size() {
     return rows.size();
@@ -164,12 +170,9 @@ final class CsvTable {
   String number(int row, int column) throws IOException {
     if (!isNumber(row, column)) {
       throw refusal(
-          "the row \"%s\" has no number in column %d; its cells stand between %s, and decimals have a %s"
+          "the row \"%s\" has no number in column %d; the file has %s"
               .formatted(
-                  String.join(String.valueOf(delimiter), rows.get(row)),
-                  column + 1,
-                  name(delimiter),
-                  decimalComma ? "comma" : "point"));
+                  String.join(String.valueOf(delimiter), rows.get(row)), column + 1, layout()));
     }
     return rows.get(row).get(column).replace(',', '.');
   }

@@ -35,7 +35,7 @@ final class TableNumbers {
       arguments.append(arguments.isEmpty() ? "" : ";").append(table.number(i, x));
       values.append(values.isEmpty() ? "" : ";").append(table.number(i, y));
     }
-    return " x=\"" + arguments + "\" y=\"" + values + "\" sha256=\"" + Sha256.of(content) + "\"";
+    return " x=\"" + arguments + "\" y=\"" + values + "\"" + origin(table, content);
   }
 
   /**
@@ -66,7 +66,12 @@ final class TableNumbers {
         list.append(list.isEmpty() ? "" : ";").append(table.number(i, j));
       }
     }
-    return " x=\"%s\" y=\"%s\" z=\"%s\" sha256=\"%s\"".formatted(x, y, z, Sha256.of(content));
+    return " x=\"%s\" y=\"%s\" z=\"%s\"%s".formatted(x, y, z, origin(table, content));
+  }
+
+  /** Returns the attributes that say how a file was read, and which one it was. */
+  private static String origin(CsvTable table, byte[] content) {
+    return " layout=\"%s\" sha256=\"%s\"".formatted(table.layout(), Sha256.of(content));
   }
 
   private static int column(CsvTable table, String asked) throws IOException {

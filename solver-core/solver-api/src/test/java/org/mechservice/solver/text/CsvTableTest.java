@@ -64,7 +64,20 @@ class CsvTableTest {
     CsvTable table = read("t;h|0;0,5|1;x");
     assertThatThrownBy(() -> table.number(2, 1))
         .hasMessageContaining("no number in column 2")
-        .hasMessageContaining("semicolons, and decimals have a comma");
+        .hasMessageContaining("cells between semicolons, decimals with a comma");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '!',
+      value = {
+        "0;0,5|1;1,5! cells between semicolons, decimals with a comma",
+        "0;0.5|1;1.5! cells between semicolons, decimals with a point",
+        "0,0.5|1,1.5! cells between commas, decimals with a point",
+        "0~0,5|1~1,5! cells between tabs, decimals with a comma",
+      })
+  void layoutIsStated(String text, String layout) throws IOException {
+    assertThat(read(text.replace('~', '\t')).layout()).isEqualTo(layout);
   }
 
   /** The model and its columns in two encodings: names are compared as texts, not as bytes. */
