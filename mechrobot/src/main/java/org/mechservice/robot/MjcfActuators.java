@@ -231,7 +231,7 @@ final class MjcfActuators {
       numbers.missing(actuator, "a joint, tendon, site or body to act on");
       return;
     }
-    if (isMuscle(actuator)) {
+    if (MjcfMuscle.is(actuator)) {
       readMuscle(scope, actuator, tendons);
       return;
     }
@@ -307,7 +307,7 @@ final class MjcfActuators {
 
   private Optional<Transmission> transmission(
       MjcfReader.Scope scope, Element actuator, Map<String, Tendon> tendons) {
-    List<Double> gear = new ArrayList<>(list(actuator, "gear"));
+    List<Double> gear = new ArrayList<>(numbers.several(actuator, "gear"));
     if (gear.isEmpty()) {
       gear.add(1.0);
     }
@@ -563,33 +563,8 @@ final class MjcfActuators {
         "(" + MechmlText.number(v.z()) + ")*" + strength);
   }
 
-  private static boolean isMuscle(Element actuator) {
-    return actuator.name().equals("muscle")
-        || List.of("gaintype", "biastype", "dyntype").stream()
-            .anyMatch(
-                kind ->
-                    actuator.name().equals("general")
-                        && actuator.attribute(kind).filter("muscle"::equals).isPresent());
-  }
-
-  /** The numbers of a muscle in the order of {@code gainprm}, with MuJoCo's values. */
-  private static final List<Map.Entry<String, Double>> GAIN =
-      List.of(
-          Map.entry("low", 0.75),
-          Map.entry("high", 1.05),
-          Map.entry("force", -1.0),
-          Map.entry("scale", 200.0),
-          Map.entry("lmin", 0.5),
-          Map.entry("lmax", 1.6),
-          Map.entry("vmax", 1.5),
-          Map.entry("fpmax", 1.3),
-          Map.entry("fvmax", 1.2));
-
   private void readMuscle(MjcfReader.Scope scope, Element actuator, Map<String, Tendon> tendons) {
-    Optional<Map<String, Double>> read =
-        actuator.name().equals("muscle")
-            ? Optional.of(shortcut(actuator))
-            : generalMuscle(actuator);
+    Optional<Map<String, Double>> read = new MjcfMuscle(numbers).read(actuator);
     Optional<List<Double>> range =
         actuator
             .attribute("lengthrange")
@@ -633,84 +608,6 @@ final class MjcfActuators {
 
   private String excitation(Element actuator, String name) {
     return command(MechmlText.name(name), range(actuator, "ctrl"));
-  }
-
-  /**
-   * Returns the numbers of a muscle that has attributes of its own. Those that it lacks come from
-   * the numbers of a general actuator of its class, where these are not MuJoCo's own.
-   */
-  private Map<String, Double> shortcut(Element actuator) {
-    Map<String, Double> all = ofClass(actuator);
-    for (Map.Entry<String, Double> one : GAIN) {
-      if (actuator.attribute(one.getKey()).isPresent()) {
-        all.put(one.getKey(), numbers.optional(actuator, one.getKey(), one.getValue()));
-      }
-    }
-    actuator
-        .attribute("range")
-        .map(text -> numbers.read(actuator, "range", text, 2, 2))
-        .ifPresent(
-            ends -> {
-              all.put("low", ends.get(0));
-              all.put("high", ends.get(1));
-            });
-    actuator
-        .attribute("timeconst")
-        .map(text -> numbers.read(actuator, "timeconst", text, 1, 2))
-        .ifPresent(
-            times -> {
-              all.put("activationTime", times.get(0));
-              if (times.size() > 1) {
-                all.put("deactivationTime", times.get(1));
-              }
-            });
-    if (actuator.attribute("tausmooth").isPresent()) {
-      all.put("blend", numbers.optional(actuator, "tausmooth", 0));
-    }
-    return all;
-  }
-
-  private Map<String, Double> ofClass(Element actuator) {
-    List<Double> gain = padded(list(actuator, "gainprm"), GAIN.size());
-    Map<String, Double> all = new LinkedHashMap<>();
-    for (int i = 0; i < GAIN.size(); i++) {
-      boolean own = gain.get(i) == (i == 0 ? 1 : 0);
-      all.put(GAIN.get(i).getKey(), own || gain.get(i) == 0 ? GAIN.get(i).getValue() : gain.get(i));
-    }
-    List<Double> times = padded(list(actuator, "dynprm"), 3);
-    all.put("activationTime", times.get(0) == 0 || times.get(0) == 1 ? 0.01 : times.get(0));
-    all.put("deactivationTime", times.get(1) == 0 ? 0.04 : times.get(1));
-    all.put("blend", times.get(2));
-    return all;
-  }
-
-  /** Returns the numbers of a general actuator that is a muscle; empty if it is no whole one. */
-  private Optional<Map<String, Double>> generalMuscle(Element actuator) {
-    boolean whole =
-        List.of("gaintype", "biastype", "dyntype").stream()
-            .allMatch(kind -> actuator.attribute(kind).filter("muscle"::equals).isPresent());
-    List<Double> gain = padded(list(actuator, "gainprm"), GAIN.size());
-    List<Double> bias = padded(list(actuator, "biasprm"), GAIN.size());
-    if (!whole || !gain.equals(bias)) {
-      return Optional.empty();
-    }
-    Map<String, Double> all = new LinkedHashMap<>();
-    for (int i = 0; i < GAIN.size(); i++) {
-      all.put(GAIN.get(i).getKey(), gain.get(i));
-    }
-    List<Double> times = padded(list(actuator, "dynprm"), 3);
-    all.put("activationTime", times.get(0));
-    all.put("deactivationTime", times.get(1));
-    all.put("blend", times.get(2));
-    return Optional.of(all);
-  }
-
-  private static List<Double> padded(List<Double> given, int count) {
-    List<Double> all = new ArrayList<>(given);
-    while (all.size() < count) {
-      all.add(0.0);
-    }
-    return List.copyOf(all.subList(0, count));
   }
 
   /** Returns a name for the input of an actuator. */
@@ -869,8 +766,8 @@ final class MjcfActuators {
         || !Set.of("none", "filter", "filterexact", "integrator").contains(dynamics)) {
       return Optional.empty();
     }
-    List<Double> dynamic = list(actuator, "dynprm");
-    List<Double> gains = list(actuator, "gainprm");
+    List<Double> dynamic = numbers.several(actuator, "dynprm");
+    List<Double> gains = numbers.several(actuator, "gainprm");
     List<Double> prm = bias.equals("affine") ? three(actuator, "biasprm") : List.of(0.0, 0.0, 0.0);
     double factor = gains.isEmpty() ? 1 : gains.get(0);
     List<Double> whole = new ArrayList<>(three(actuator, "gainprm"));
@@ -894,17 +791,10 @@ final class MjcfActuators {
   }
 
   private List<Double> three(Element actuator, String name) {
-    List<Double> all = new ArrayList<>(list(actuator, name));
+    List<Double> all = new ArrayList<>(numbers.several(actuator, name));
     while (all.size() < 3) {
       all.add(0.0);
     }
     return List.copyOf(all.subList(0, 3));
-  }
-
-  private List<Double> list(Element actuator, String name) {
-    return actuator
-        .attribute(name)
-        .map(text -> numbers.read(actuator, name, text, 0, 20))
-        .orElse(List.of());
   }
 }

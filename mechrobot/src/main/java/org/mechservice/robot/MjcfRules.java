@@ -20,6 +20,10 @@ final class MjcfRules {
           "intvelocity", List.of(List.of("kv", "dampratio")),
           "inertial", List.of(List.of("diaginertia", "fullinertia")));
 
+  /** What a servo sets by the range of its joint, so that it may not write that itself. */
+  private static final Map<String, String> INHERITED =
+      Map.of("position", "ctrlrange", "intvelocity", "actrange");
+
   /** Attributes with whole numbers, by element. */
   private static final Map<String, List<String>> WHOLE =
       Map.of(
@@ -72,6 +76,12 @@ final class MjcfRules {
           numbers.contradiction(
               child, "it has " + String.join(" and ", names) + "; leave one of them out");
         }
+      }
+      String inherited = INHERITED.getOrDefault(child.name(), "");
+      if (child.attribute(inherited).isPresent()
+          && numbers.optional(child, "inheritrange", 0) > 0) {
+        numbers.contradiction(
+            child, "it has inheritrange and " + inherited + "; leave one of them out");
       }
       for (String name : WHOLE.getOrDefault(child.name(), List.of())) {
         child.attribute(name).ifPresent(text -> checkWhole(child, name, text));
@@ -176,8 +186,8 @@ final class MjcfRules {
         && range(motor, "ctrlrange").filter(MjcfRules::isRange).isEmpty()) {
       numbers.contradiction(motor, "a damper needs a ctrlrange, and it is missing or empty");
     }
+    checkSaid(motor, "actrange", autolimits);
     if (motor.name().equals("general")) {
-      checkSaid(motor, "actrange", autolimits);
       requireRange(motor, "actrange");
       checkActivation(motor);
     }

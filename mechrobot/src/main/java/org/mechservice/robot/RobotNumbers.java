@@ -146,6 +146,14 @@ final class RobotNumbers {
     return numbers;
   }
 
+  /** Returns up to 20 numbers of an attribute; none if it is missing. */
+  List<Double> several(Element element, String attribute) {
+    return element
+        .attribute(attribute)
+        .map(text -> read(element, attribute, text, 0, 20))
+        .orElse(List.of());
+  }
+
   private static String expected(int least, int most) {
     if (most == 1) {
       return "a finite number";

@@ -18,7 +18,9 @@
  *       {@link org.mechservice.robot.MjcfReader}, which takes a {@link
  *       org.mechservice.robot.MjcfFile} with includes and default classes put in, and leaves
  *       equations, tendons and motors to {@link org.mechservice.robot.MjcfForces} and {@link
- *       org.mechservice.robot.MjcfActuators}, masses of shapes to {@link
+ *       org.mechservice.robot.MjcfActuators} (muscles: {@link org.mechservice.robot.MjcfMuscle}),
+ *       what MuJoCo refuses to {@link org.mechservice.robot.MjcfRules}, inertias of motors and
+ *       tendons to {@link org.mechservice.robot.MjcfArmatures}, masses of shapes to {@link
  *       org.mechservice.robot.MjcfGeometry}, and keyframes to {@link
  *       org.mechservice.robot.MjcfKeyframe}. {@link org.mechservice.robot.ShapeMasses}, {@link
  *       org.mechservice.robot.UniformShape} and {@link org.mechservice.robot.TriangleMesh} compute

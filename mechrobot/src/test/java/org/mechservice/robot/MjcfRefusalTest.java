@@ -44,6 +44,7 @@ class MjcfRefusalTest {
         "MOTOR | <motor name='m'/> | a joint, tendon, site or body",
         "MOTOR | <position joint='j' inheritrange='1'/> | no range",
         "MOTOR | <position joint='j' kv='1' dampratio='0'/> | kv and dampratio",
+        "MOTOR | <position joint='j' ctrlrange='0 1' inheritrange='1'/> | leave one of them out",
         "MOTOR | <motor joint='j' ctrllimited='true'/> | ctrlrange is missing or empty",
         "MOTOR | <motor joint='j' forcelimited='true' forcerange='1 0'/> | forcerange is missing",
         "MOTOR | <damper joint='j' kv='1'/> | a damper needs a ctrlrange",
