@@ -491,7 +491,10 @@ final class SceneParts {
     @Override
     public SceneForce pairForce(PairForce one) {
       // A sphere touches a shape about frame 1; a disc, a box or a wheel touches its plane.
-      boolean onPlane = one.disc() || one.radius() == 0;
+      PairForce.Shape shape = one.shape();
+      boolean disc = shape instanceof PairForce.Disc;
+      double radius = radius(shape);
+      boolean onPlane = disc || radius == 0;
       Point3 normal = point(one.frame1().axes().apply(Z));
       return new SceneForce(
           one.name(),
@@ -499,9 +502,25 @@ final class SceneParts {
           List.of(anchor(one.frame2().origin()), anchor(one.frame1().origin())),
           onPlane ? pose(one.frame1().body()).turn(normal) : Point3.ZERO,
           false,
-          one.radius(),
+          radius,
           "",
-          one.disc() ? point(one.frame2().axes().apply(Z)) : Point3.ZERO);
+          disc ? point(one.frame2().axes().apply(Z)) : Point3.ZERO,
+          box(one));
+    }
+
+    private static double radius(PairForce.Shape shape) {
+      if (shape instanceof PairForce.Sphere sphere) {
+        return sphere.radius();
+      }
+      return shape instanceof PairForce.Disc disc ? disc.radius() : 0;
+    }
+
+    /** Returns the box that touches; none if its edges are inputs of the model. */
+    private static Optional<SceneForce.Box> box(PairForce one) {
+      return one.shape() instanceof PairForce.Box box
+              && box.edges().x() * box.edges().y() * box.edges().z() > 0
+          ? Optional.of(new SceneForce.Box(SceneParts.pose(one.frame2()), point(box.edges())))
+          : Optional.empty();
     }
 
     @Override

@@ -32,8 +32,8 @@ import org.mechservice.view.scene.SceneSolid;
  * its joints that are away from them. Without solids it is a skeleton: rods between its joints and
  * its centre of mass, which is a ball. Only a body that has no skeleton, since it turns about its
  * centre of mass or is free, is drawn as the box or cylinder of even density that has its inertia;
- * those of the other bodies are hidden unless viewers ask for them. A body in contact by a sphere
- * or a tyre gets that. Sizes of symbols follow from the extent of the mechanism at the start.
+ * those of the other bodies are hidden unless viewers ask for them. A body in contact by a sphere,
+ * a tyre or a box gets that. Sizes of symbols follow from the extent of the mechanism at the start.
  */
 public final class Stage {
   private static final int[] PALETTE = {
@@ -375,21 +375,25 @@ public final class Stage {
   }
 
   /**
-   * Adds the spheres, discs and tyres by which a body is in contact; returns whether it has any.
+   * Adds the spheres, discs, tyres and boxes by which a body is in contact; returns whether it has
+   * any.
    */
   private boolean addRounds(int body) {
     boolean any = false;
     Set<List<Object>> known = new HashSet<>();
     for (SceneForce force : scene.forces()) {
       if (force.kind() == SceneForce.Kind.CONTACT
-          && force.radius() > 0
+          && (force.radius() > 0 || force.box().isPresent())
           && force.anchors().get(0).body() == body) {
         any = true;
         Point3 centre = force.anchors().get(0).point();
-        if (!known.add(List.of(centre, force.radius(), force.axle()))) {
+        if (!known.add(List.of(centre, force.radius(), force.axle(), force.box()))) {
           continue;
         }
-        if (force.isOfDisc()) {
+        if (force.box().isPresent()) {
+          SceneForce.Box box = force.box().get();
+          addBody(body, shapes.block(box.at(), box.edges()));
+        } else if (force.isOfDisc()) {
           addTyre(body, Solids.zAlong(force.axle(), centre), force.radius());
         } else {
           addBody(body, shapes.ball(centre, force.radius()));

@@ -111,7 +111,8 @@ public record SceneDescription(
 
   /**
    * Returns the points at the start between which the whole mechanism lies: the points of joints,
-   * constraints and forces, and centres of mass; in world axes, m. Never empty.
+   * constraints and forces, corners of boxes in contact, and centres of mass; in world axes, m.
+   * Never empty.
    */
   public List<Point3> extent() {
     List<Point3> points = new ArrayList<>();
@@ -121,6 +122,12 @@ public record SceneDescription(
     }
     constraints.forEach(one -> one.anchors().forEach(anchor -> points.add(world(anchor))));
     forces.forEach(one -> one.anchors().forEach(anchor -> points.add(world(anchor))));
+    for (SceneForce force : forces) {
+      int body = force.anchors().isEmpty() ? Anchor.ROOT : force.anchors().get(0).body();
+      force.box().stream()
+          .flatMap(box -> box.corners().stream())
+          .forEach(corner -> points.add(world(new Anchor(body, corner))));
+    }
     for (SceneBody body : bodies) {
       if (body.mass() > 0) {
         points.add(body.pose().toWorld(body.centreOfMass()));

@@ -1,6 +1,8 @@
 package org.mechservice.view.scene;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * An applied force of a picture.
@@ -18,6 +20,7 @@ import java.util.List;
  * @param joint name of the joint it acts in; empty if it acts between points
  * @param axle unit vector along the axle of a disc or wheel in contact, in the axes of the first
  *     anchor's body; zero for every other force
+ * @param box the box that touches in a contact of a box; none for every other force
  */
 public record SceneForce(
     String name,
@@ -27,7 +30,8 @@ public record SceneForce(
     boolean inBodyAxes,
     double radius,
     String joint,
-    Point3 axle) {
+    Point3 axle,
+    Optional<Box> box) {
   /** The kinds of forces. */
   public enum Kind {
     /** A spring without damping between two points. */
@@ -58,11 +62,40 @@ public record SceneForce(
     USER
   }
 
+  /**
+   * A box that touches.
+   *
+   * @param at its centre and edges, in the axes of the first anchor's body
+   * @param edges their lengths, m
+   */
+  public record Box(BodyPose at, Point3 edges) {
+    /**
+     * Returns its eight corners in the axes of the first anchor's body, m. Two whose places in the
+     * list differ by one power of two share an edge.
+     */
+    public List<Point3> corners() {
+      List<Point3> corners = new ArrayList<>();
+      for (int corner = 0; corner < 8; corner++) {
+        corners.add(
+            at.toWorld(
+                new Point3(
+                    half(corner, 0, edges.x()),
+                    half(corner, 1, edges.y()),
+                    half(corner, 2, edges.z()))));
+      }
+      return corners;
+    }
+
+    private static double half(int corner, int axis, double edge) {
+      return (corner >> axis & 1) == 0 ? -edge / 2 : edge / 2;
+    }
+  }
+
   public SceneForce {
     anchors = List.copyOf(anchors);
   }
 
-  /** Creates a force without a disc or wheel. */
+  /** Creates a force without a disc, wheel or box. */
   public SceneForce(
       String name,
       Kind kind,
@@ -71,7 +104,7 @@ public record SceneForce(
       boolean inBodyAxes,
       double radius,
       String joint) {
-    this(name, kind, anchors, direction, inBodyAxes, radius, joint, Point3.ZERO);
+    this(name, kind, anchors, direction, inBodyAxes, radius, joint, Point3.ZERO, Optional.empty());
   }
 
   /** Returns whether it is the contact of a disc or wheel. */

@@ -292,13 +292,30 @@ final class InteractionSketch {
     canvas.draw(rim(centre, wheel), new Pen(ink, 1.2));
   }
 
-  /** Draws the sphere, disc or wheel and the part of the surface beneath it. */
+  private void box(int body, List<Point3> corners) {
+    List<Place> at =
+        corners.stream().map(corner -> layout.place(new Anchor(body, corner))).toList();
+    Path2D edges = new Path2D.Double();
+    for (int corner = 0; corner < at.size(); corner++) {
+      for (int axis = 1; axis < at.size(); axis *= 2) {
+        if ((corner & axis) == 0) {
+          edges.moveTo(at.get(corner).x(), at.get(corner).y());
+          edges.lineTo(at.get(corner | axis).x(), at.get(corner | axis).y());
+        }
+      }
+    }
+    canvas.draw(edges, new Pen(FORCE, 1.2));
+  }
+
+  /** Draws the sphere, disc, wheel or box and the part of the surface beneath it. */
   private void contact(SceneForce force, Place centre) {
     double radius = force.radius() * layout.scale();
     if (force.isOfDisc() && radius > 1) {
       SceneConstraint.Wheel wheel = new SceneConstraint.Wheel(force.axle(), force.radius());
       canvas.draw(rim(force.anchors().get(0), wheel), new Pen(FORCE, 1.6));
       forces.dot(centre, FORCE);
+    } else if (force.box().isPresent()) {
+      box(force.anchors().get(0).body(), force.box().get().corners());
     } else if (radius > 1) {
       forces.sphere(centre, radius, FORCE);
     } else {

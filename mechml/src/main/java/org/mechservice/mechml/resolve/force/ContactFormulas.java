@@ -148,10 +148,9 @@ final class ContactFormulas {
    *
    * @param kind in words
    * @param mostDepth penetration beyond which the formulas mean nothing, m; zero for none
-   * @param radius of the round part of body 2 in pictures, m
-   * @param disc whether that is a disc
+   * @param shape of body 2 in pictures
    */
-  PairForce force(String kind, Expression mostDepth, double radius, boolean disc) {
+  PairForce force(String kind, Expression mostDepth, PairForce.Shape shape) {
     List<Expression> wrench = new ArrayList<>(moment.components());
     wrench.addAll(force.components());
     Expression deepest = depths.stream().reduce(ExpressionAlgebra::larger).orElseThrow();
@@ -173,8 +172,7 @@ final class ContactFormulas {
         potentialRate,
         values,
         mostDepth,
-        radius,
-        disc,
+        shape,
         origin);
   }
 }

@@ -28,6 +28,7 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.force.PairForce;
+import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.symbol.MathFunction;
 
 /**
@@ -116,7 +117,8 @@ final class ShapeContactReader {
             minus(radius.get(), motion.displacement().z()),
             ExpressionVector.Z,
             ExpressionVector.Z.times(negated(radius.get())));
-    return Optional.of(contact.get().force("contact", radius.get(), number(radius.get()), false));
+    return Optional.of(
+        contact.get().force("contact", radius.get(), new PairForce.Sphere(number(radius.get()))));
   }
 
   /**
@@ -165,7 +167,9 @@ final class ShapeContactReader {
             : box ? List.of(radius2.get()) : List.of(radius1.get(), radius2.get());
     Expression most = leastSize(sizes);
     return Optional.of(
-        contact.get().force("contact of a sphere", most, number(radius2.get()), false));
+        contact
+            .get()
+            .force("contact of a sphere", most, new PairForce.Sphere(number(radius2.get()))));
   }
 
   /** Returns the smallest of sizes that are not zero, m; zero if all are. */
@@ -270,7 +274,8 @@ final class ShapeContactReader {
         down.times(quotient(radius.get(), tilt)).less(ExpressionVector.Z.times(edge.get()));
     contact.get().add(negated(sum(motion.displacement().z(), arm.z())), ExpressionVector.Z, arm);
     double shown = number(radius.get()) + number(edge.get());
-    return Optional.of(contact.get().force("contact of a disc", radius.get(), shown, true));
+    return Optional.of(
+        contact.get().force("contact of a disc", radius.get(), new PairForce.Disc(shown)));
   }
 
   /** The eight corners of a box on a plane. */
@@ -291,7 +296,9 @@ final class ShapeContactReader {
       }
       contact.get().add(negated(sum(motion.displacement().z(), arm.z())), ExpressionVector.Z, arm);
     }
-    return Optional.of(contact.get().force("contact of a box", leastSize(h), 0, false));
+    Vector3 edges = new Vector3(2 * number(h.get(0)), 2 * number(h.get(1)), 2 * number(h.get(2)));
+    return Optional.of(
+        contact.get().force("contact of a box", leastSize(h), new PairForce.Box(edges)));
   }
 
   /** Returns half of three edges, which must be positive. */

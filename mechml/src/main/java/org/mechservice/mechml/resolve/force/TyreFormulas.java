@@ -258,8 +258,7 @@ final class TyreFormulas {
             new PairForce.Value("slipY", "1", slipY),
             new PairForce.Value("camber", "rad", call(MathFunction.ASIN, axle.dot(n)))),
         radius,
-        radius instanceof Expression.Constant constant ? constant.value() : 0,
-        true,
+        new PairForce.Disc(radius instanceof Expression.Constant constant ? constant.value() : 0),
         origin);
   }
 

@@ -258,8 +258,7 @@ public final class RandomMechmlForces {
         Expression.ZERO,
         List.of(new PairForce.Value("size", "N", shared), new PairForce.Value("load", "N", shared)),
         Expression.ZERO,
-        0,
-        false,
+        PairForce.Shape.POINT,
         Origin.NONE);
   }
 

@@ -372,8 +372,7 @@ public final class RandomForces {
         List.of(
             new PairForce.Value("square", "m²", square), new PairForce.Value("load", "N", square)),
         Expression.ZERO,
-        0,
-        false,
+        PairForce.Shape.POINT,
         Origin.NONE);
   }
 

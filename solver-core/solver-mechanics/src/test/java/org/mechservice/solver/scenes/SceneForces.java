@@ -155,8 +155,7 @@ final class SceneForces {
           Expression.ZERO,
           List.of(),
           Expression.ZERO,
-          0,
-          false,
+          PairForce.Shape.POINT,
           Origin.NONE);
     }
   }

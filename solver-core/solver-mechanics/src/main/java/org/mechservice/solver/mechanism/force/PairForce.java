@@ -8,6 +8,7 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -30,8 +31,7 @@ import org.mechservice.solver.text.Origin;
  *     then the load between them, N, which is zero while they are apart
  * @param mostDepth penetration beyond which one shape is inside or behind the other and the
  *     formulas mean nothing, m; zero where there is no such depth
- * @param radius of the round part that pictures show around frame 2, m; 0 for none
- * @param disc whether the round part is a disc about the z axis of frame 2, else a sphere
+ * @param shape what touches, as pictures show it at frame 2
  * @param origin position in the model file
  */
 public record PairForce(
@@ -44,8 +44,7 @@ public record PairForce(
     Expression potentialRate,
     List<Value> outputs,
     Expression mostDepth,
-    double radius,
-    boolean disc,
+    Shape shape,
     Origin origin)
     implements ForceElement {
   /**
@@ -56,6 +55,33 @@ public record PairForce(
    * @param expression of the same leaves as the wrench
    */
   public record Value(String name, String unit, Expression expression) {}
+
+  /** What a body touches with. */
+  public sealed interface Shape {
+    /** Nothing that pictures could show. */
+    Shape POINT = new Sphere(0);
+  }
+
+  /**
+   * A sphere about the origin of the frame.
+   *
+   * @param radius m; 0 for a point
+   */
+  public record Sphere(double radius) implements Shape {}
+
+  /**
+   * A disc, wheel or tyre about the z axis of the frame.
+   *
+   * @param radius m
+   */
+  public record Disc(double radius) implements Shape {}
+
+  /**
+   * A box about the origin of the frame.
+   *
+   * @param edges lengths along the axes of the frame, m
+   */
+  public record Box(Vector3 edges) implements Shape {}
 
   public PairForce {
     wrench = List.copyOf(wrench);
