@@ -15,6 +15,7 @@ import org.mechservice.view.scene.BodyPose;
 import org.mechservice.view.scene.Point3;
 import org.mechservice.view.scene.SceneBelt;
 import org.mechservice.view.scene.SceneDescription;
+import org.mechservice.view.scene.SceneForce;
 import org.mechservice.view.scene.SceneGear;
 import org.mechservice.view.scene.SceneRoad;
 import org.mechservice.view.scene.SceneRope;
@@ -147,6 +148,26 @@ class ModelSceneTest {
     assertThat(hoist.stops().get(1))
         .isInstanceOfSatisfying(
             SceneRope.Pulley.class, pulley -> assertThat(pulley.left()).isFalse());
+  }
+
+  @Test
+  void boxThatTouchesIsShownWhereItIs() throws Exception {
+    SceneDescription scene = scene(example("elements/boxContact.xml"));
+    SceneForce held =
+        scene.forces().stream().filter(one -> one.name().equals("held")).findFirst().orElseThrow();
+    SceneForce.Box box = held.box().orElseThrow();
+    assertThat(box.edges()).isEqualTo(new Point3(0.4, 0.4, 0.2));
+    assertThat(box.corners()).hasSize(8).contains(new Point3(-0.2, 0.2, -0.1));
+    // the block stands 0.004 mm deep in the plane: its lowest corners, and the highest 0.2 m above
+    List<Double> heights =
+        box.corners().stream()
+            .map(corner -> scene.world(new Anchor(held.anchors().get(0).body(), corner)).z())
+            .sorted()
+            .toList();
+    assertThat(heights.get(3)).isCloseTo(-4e-6, within(1e-12));
+    assertThat(heights.get(4)).isCloseTo(0.2 - 4e-6, within(1e-12));
+    // pictures hold the whole box
+    assertThat(scene.extent()).anyMatch(point -> Math.abs(point.z() - heights.get(7)) < 1e-12);
   }
 
   @Test
