@@ -5,8 +5,16 @@ import { Player } from './player.js';
 // The model as a WebAssembly module in the page: numbers in, rows of a run out.
 class LiveModel {
   static async of(data) {
-    const { instance } = await WebAssembly.instantiate(bytesOf(data.live.module));
-    return new LiveModel(data, instance.exports);
+    const bytes = bytesOf(data.live.module);
+    let module;
+    try {
+      // at once: the page is not loaded before its first run is drawn
+      module = new WebAssembly.Module(bytes);
+    } catch {
+      // some browsers compile large modules in the background alone
+      module = await WebAssembly.compile(bytes);
+    }
+    return new LiveModel(data, new WebAssembly.Instance(module).exports);
   }
 
   constructor(data, exports) {
