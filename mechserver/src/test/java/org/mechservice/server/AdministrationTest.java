@@ -137,6 +137,17 @@ class AdministrationTest {
     }
   }
 
+  /** The server closes its port while the reply is on its way. */
+  @Test
+  void everyShutdownIsAnswered() throws Exception {
+    for (int i = 0; i < 50; i++) {
+      try (Farm farm = new Farm(0)) {
+        farm.admin.shutdownServer(0);
+        farm.server.awaitShutdown();
+      }
+    }
+  }
+
   @Test
   void whatThisVersionDoesNotDoIsSaid() throws Exception {
     try (Farm farm = new Farm(1)) {

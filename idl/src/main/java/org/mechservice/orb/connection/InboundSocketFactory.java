@@ -223,6 +223,18 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
       }
     }
 
+    /** The ORB says so before it closes: the last replies come first. */
+    @Override
+    public void shutdownOutput() throws IOException {
+      ReplyQueue last = replies();
+      if (last != null) {
+        last.finish();
+      }
+      if (!isClosed()) {
+        super.shutdownOutput();
+      }
+    }
+
     @Override
     @SuppressWarnings(
         "UnsynchronizedOverridesSynchronized") // must not wait for a thread that waits for this one
