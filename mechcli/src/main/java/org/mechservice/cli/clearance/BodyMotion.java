@@ -2,12 +2,14 @@ package org.mechservice.cli.clearance;
 
 import java.util.Arrays;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.ToDoubleFunction;
 import org.mechservice.library.MechModel;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.solver.api.result.ColumnGroup;
-import org.mechservice.solver.distance.RowPaths;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * Poses of bodies over a run, with rows so close that what lies between them is known: half of the
@@ -23,51 +25,55 @@ final class BodyMotion {
 
   private final double[] times;
   private final Map<String, double[][]> poses;
-  private final double missed;
+  private final double[] atRest;
 
-  private BodyMotion(double[] times, Map<String, double[][]> poses, double missed) {
+  private BodyMotion(double[] times, Map<String, double[][]> poses, double[] atRest) {
     this.times = times;
     this.poses = poses;
-    this.missed = missed;
+    this.atRest = atRest;
   }
 
   /**
    * Runs a model as often as it takes.
    *
-   * @param reach for each moving body the distance of its farthest point from its origin, m
+   * @param moving the bodies that move, of those whose motion is needed
+   * @param atRest pose of the ground
    * @param accuracy by which rows may miss the motion between two others, m
+   * @param missed by how much those of a motion do, m
    */
-  static BodyMotion of(MechModel model, Map<String, Double> reach, double accuracy) {
-    double begin = model.request().settings().tStart();
-    double end = model.request().settings().tEnd();
-    double step =
-        Math.min(Math.abs(model.request().settings().tStep()), Math.abs(end - begin) / FEWEST_ROWS);
+  static BodyMotion of(
+      MechModel model,
+      Set<String> moving,
+      double[] atRest,
+      double accuracy,
+      ToDoubleFunction<BodyMotion> missed) {
+    RunSettings settings = model.request().settings();
+    double span = Math.abs(settings.tEnd() - settings.tStart());
+    double step = Math.min(settings.tStep(), span / FEWEST_ROWS);
     while (true) {
-      BodyMotion motion = run(model.every(step), reach);
-      if (motion.missed <= accuracy || 2 * motion.times.length > MOST_ROWS) {
+      BodyMotion motion = run(model.every(step), moving, atRest);
+      if (missed.applyAsDouble(motion) <= accuracy || 2 * motion.times.length > MOST_ROWS) {
         return motion;
       }
       step /= 2;
     }
   }
 
-  private static BodyMotion run(MechModel model, Map<String, Double> reach) {
+  private static BodyMotion run(MechModel model, Set<String> moving, double[] atRest) {
     Trajectory rows = model.columns(ColumnGroup.BODIES).simulate();
     double[] times = rows.time();
     Map<String, double[][]> poses = new TreeMap<>();
-    double missed = 0;
-    for (Map.Entry<String, Double> body : reach.entrySet()) {
+    for (String body : moving) {
       double[][] ofBody = new double[times.length][BodyPoses.NUMBERS_PER_BODY];
       for (int c = 0; c < COLUMNS.length; c++) {
-        double[] column = rows.column(body.getKey() + COLUMNS[c]);
+        double[] column = rows.column(body + COLUMNS[c]);
         for (int row = 0; row < times.length; row++) {
           ofBody[row][c] = column[row];
         }
       }
-      poses.put(body.getKey(), ofBody);
-      missed = Math.max(missed, RowPaths.missed(times, ofBody, body.getValue()));
+      poses.put(body, ofBody);
     }
-    return new BodyMotion(times, poses, missed);
+    return new BodyMotion(times, poses, atRest);
   }
 
   /** Returns the times of the rows, s. */
@@ -75,17 +81,8 @@ final class BodyMotion {
     return times;
   }
 
-  /** Returns by how much every second row misses the motion at the others, m. */
-  double missed() {
-    return missed;
-  }
-
-  /**
-   * Returns the poses of a body at the rows.
-   *
-   * @param atRest pose of a body that does not move
-   */
-  double[][] of(String body, double[] atRest) {
+  /** Returns the poses of a body at the rows. */
+  double[][] of(String body) {
     double[][] moving = poses.get(body);
     if (moving != null) {
       return moving;

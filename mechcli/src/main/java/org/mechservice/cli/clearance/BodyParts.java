@@ -98,8 +98,8 @@ final class BodyParts {
       double[] corner =
           placed.of(
               block.center().x() + ((i & 1) - 0.5) * block.edges().x(),
-              block.center().y() + ((i >> 1 & 1) - 0.5) * block.edges().y(),
-              block.center().z() + ((i >> 2 & 1) - 0.5) * block.edges().z());
+              block.center().y() + (((i >> 1) & 1) - 0.5) * block.edges().y(),
+              block.center().z() + (((i >> 2) & 1) - 0.5) * block.edges().z());
       System.arraycopy(corner, 0, corners, 3 * i, 3);
     }
     return SolidPart.hull(corners);

@@ -35,6 +35,7 @@ import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.program.RunFailedException;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.distance.Clearance;
+import org.mechservice.solver.distance.RowPaths;
 import org.mechservice.solver.distance.SolidPart;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -134,6 +135,14 @@ public final class ClearanceCommand implements Callable<Integer> {
     }
   }
 
+  /** What was found of a pair, and by how much the rows miss its motion, m. */
+  private record Kept(Clearance.Result result, double missed) {
+    /** Returns the distance that the two keep for sure, m. */
+    double surely() {
+      return Math.max(0, result.proved() - missed);
+    }
+  }
+
   @Override
   public Integer call() throws IOException {
     if (out != null) {
@@ -141,7 +150,7 @@ public final class ClearanceCommand implements Callable<Integer> {
     }
     double close = length("--accuracy", accuracy);
     double kept = least == null ? 0 : length("--least", least);
-    Map<Pair, Clearance.Result> found = new LinkedHashMap<>();
+    Map<Pair, Kept> found = new LinkedHashMap<>();
     Map<Pair, double[]> curves = new LinkedHashMap<>();
     BodyMotion motion;
     try {
@@ -152,25 +161,29 @@ public final class ClearanceCommand implements Callable<Integer> {
               model.content(), model.folder().orElse(Path.of("")), Math.max(close / 2, 1e-9));
       List<Pair> chosen = pairs(mechanism, shapes);
       Map<String, List<SolidPart>> parts = new LinkedHashMap<>();
-      Map<String, Double> reach = new LinkedHashMap<>();
       for (Pair pair : chosen) {
         for (String body : List.of(pair.a(), pair.b())) {
           if (!parts.containsKey(body)) {
             parts.put(body, shapes.of(body));
-            if (!body.equals(mechanism.root().name())) {
-              double far = parts.get(body).stream().mapToDouble(SolidPart::reach).max().orElse(0);
-              reach.put(body, far);
-            }
           }
         }
       }
-      motion = BodyMotion.of(model, reach, close);
-      double[] atRest = pose(mechanism.root());
+      Set<String> moving = new HashSet<>(parts.keySet());
+      moving.remove(mechanism.root().name());
+      motion =
+          BodyMotion.of(
+              model,
+              moving,
+              pose(mechanism.root()),
+              close,
+              rows ->
+                  chosen.stream().mapToDouble(pair -> missed(pair, parts, rows)).max().orElse(0));
       for (Pair pair : chosen) {
-        Clearance clearance = new Clearance(parts.get(pair.a()), parts.get(pair.b()));
-        double[][] a = motion.of(pair.a(), atRest);
-        double[][] b = motion.of(pair.b(), atRest);
-        found.put(pair, clearance.along(motion.times(), a, b, close));
+        Clearance clearance = new Clearance(shape(pair.a(), parts), shape(pair.b(), parts));
+        double[][] a = motion.of(pair.a());
+        double[][] b = motion.of(pair.b());
+        Clearance.Result result = clearance.along(motion.times(), a, b, close);
+        found.put(pair, new Kept(result, missed(pair, parts, motion)));
         if (out != null) {
           curves.put(pair, clearance.atRows(motion.times(), a, b));
         }
@@ -187,9 +200,12 @@ public final class ClearanceCommand implements Callable<Integer> {
       OutputFile.write(out, csv(motion, curves).getBytes(StandardCharsets.UTF_8));
     }
     PrintWriter shown = spec.commandLine().getOut();
-    shown.println(json ? JSON.toJson(json(found, motion)) : text(found, motion));
+    shown.println(
+        json
+            ? JSON.toJson(json(found, motion.times().length))
+            : text(found, motion.times().length));
     shown.flush();
-    boolean all = found.values().stream().allMatch(r -> surely(r, motion) >= kept);
+    boolean all = found.values().stream().allMatch(one -> one.surely() >= kept);
     return all || least == null ? ExitStatus.DONE : ExitStatus.SIMULATION_FAILED;
   }
 
@@ -199,9 +215,10 @@ public final class ClearanceCommand implements Callable<Integer> {
     return coded ? text : MessageCode.CLEARANCE_UNUSABLE + " " + text;
   }
 
-  /** Returns the distance that two bodies keep for sure, m: less what rows may miss of both. */
-  private static double surely(Clearance.Result result, BodyMotion motion) {
-    return Math.max(0, result.proved() - 2 * motion.missed());
+  private static double missed(Pair pair, Map<String, List<SolidPart>> parts, BodyMotion motion) {
+    double[][] a = motion.of(pair.a());
+    double[][] b = motion.of(pair.b());
+    return RowPaths.missed(motion.times(), a, b, shape(pair.b(), parts));
   }
 
   private MechModel model() throws IOException, MechmlException {
@@ -314,10 +331,11 @@ public final class ClearanceCommand implements Callable<Integer> {
     return pose;
   }
 
-  private static String text(Map<Pair, Clearance.Result> found, BodyMotion motion) {
+  private static String text(Map<Pair, Kept> found, int rows) {
     StringBuilder text = new StringBuilder();
     found.forEach(
-        (pair, result) -> {
+        (pair, kept) -> {
+          Clearance.Result result = kept.result();
           text.append(pair).append("  ");
           if (result.least() == 0) {
             text.append("touch or overlap at ");
@@ -326,32 +344,37 @@ public final class ClearanceCommand implements Callable<Integer> {
           }
           text.append(String.format(Locale.ROOT, "%.6g s", result.time()));
           if (result.least() > 0) {
-            text.append("; at all times at least ").append(millimetres(surely(result, motion)));
+            text.append("; at all times at least ").append(millimetres(kept.surely()));
           }
           if (result.band() > 0) {
             text.append("; facets ").append(millimetres(result.band()));
           }
           text.append('\n');
         });
-    return text.append(motion.times().length)
+    return text.append(rows)
         .append(" rows, which tell the motion between them to ")
-        .append(millimetres(motion.missed()))
+        .append(millimetres(missed(found)))
         .toString();
+  }
+
+  private static double missed(Map<Pair, Kept> found) {
+    return found.values().stream().mapToDouble(Kept::missed).max().orElse(0);
   }
 
   private static String millimetres(double metres) {
     return String.format(Locale.ROOT, "%.6g mm", metres / MILLIMETRE);
   }
 
-  private static JsonObject json(Map<Pair, Clearance.Result> found, BodyMotion motion) {
+  private static JsonObject json(Map<Pair, Kept> found, int rows) {
     JsonArray all = new JsonArray();
     found.forEach(
-        (pair, result) -> {
+        (pair, kept) -> {
+          Clearance.Result result = kept.result();
           JsonObject one = new JsonObject();
           one.addProperty("a", pair.a());
           one.addProperty("b", pair.b());
           one.addProperty("distance", result.least());
-          one.addProperty("bound", surely(result, motion));
+          one.addProperty("bound", kept.surely());
           one.addProperty("time", result.time());
           one.add("pointOnA", array(result.onA()));
           one.add("pointOnB", array(result.onB()));
@@ -360,8 +383,8 @@ public final class ClearanceCommand implements Callable<Integer> {
         });
     JsonObject object = new JsonObject();
     object.add("pairs", all);
-    object.addProperty("rows", motion.times().length);
-    object.addProperty("rowsMiss", motion.missed());
+    object.addProperty("rows", rows);
+    object.addProperty("rowsMiss", missed(found));
     return object;
   }
 

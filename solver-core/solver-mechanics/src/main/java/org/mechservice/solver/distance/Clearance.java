@@ -11,7 +11,8 @@ import java.util.PriorityQueue;
  * rows. Over a part of the time each corner of body B stays in the hull of four points in the axes
  * of body A ({@link RelativePath}); the distance of A to the hull of all of them is a lower bound
  * there, that at an instant an upper one. The part with the least lower bound is divided until the
- * two meet: a passage between two rows is not stepped over.
+ * two meet: a passage between two rows is not stepped over. A body that is inside a closed surface
+ * of the other at the first row overlaps it.
  *
  * <p>Workspace of one thread.
  */
@@ -22,6 +23,10 @@ public final class Clearance {
   private final PartTree bodyA;
   private final PartTree bodyB;
   private final double band;
+  private final Surface surfaceA;
+  private final Surface surfaceB;
+  private final List<double[]> insideA;
+  private final List<double[]> insideB;
   private final ShapeDistance distance = new ShapeDistance();
   private final RelativePath path = new RelativePath();
   private final double[] alone = new double[12];
@@ -96,6 +101,10 @@ public final class Clearance {
   public Clearance(List<SolidPart> partsA, List<SolidPart> partsB) {
     bodyA = PartTree.of(partsA);
     bodyB = PartTree.of(partsB);
+    surfaceA = new Surface(partsA);
+    surfaceB = new Surface(partsB);
+    insideA = surfaceB.isEmpty() ? List.of() : Surface.places(partsA);
+    insideB = surfaceA.isEmpty() ? List.of() : Surface.places(partsB);
     band =
         partsA.stream().mapToDouble(SolidPart::shapeBand).max().orElse(0)
             + partsB.stream().mapToDouble(SolidPart::band).max().orElse(0);
@@ -120,6 +129,11 @@ public final class Clearance {
     examined = 0;
     leftOut = Double.POSITIVE_INFINITY;
     PriorityQueue<Piece> pieces = new PriorityQueue<>(Comparator.comparingDouble(Piece::lower));
+    if (isEnclosed()) {
+      least = 0;
+      instant = times[0];
+      return result(0);
+    }
     int last = Math.max(1, times.length - 1);
     for (int row = 0; row < last; row++) {
       double end = times.length == 1 ? 0 : 1;
@@ -136,6 +150,29 @@ public final class Clearance {
       examine(piece, pieces);
     }
     return result(Double.POSITIVE_INFINITY);
+  }
+
+  /** Returns whether one body is inside a surface of the other at the first row. */
+  private boolean isEnclosed() {
+    place(0);
+    double[] there = new double[3];
+    for (double[] corner : insideB) {
+      path.places(0, corner, there);
+      if (surfaceA.encloses(there)) {
+        System.arraycopy(there, 0, nearestA, 0, 3);
+        System.arraycopy(there, 0, nearestB, 0, 3);
+        return true;
+      }
+    }
+    for (double[] corner : insideA) {
+      path.back(corner, there);
+      if (surfaceB.encloses(there)) {
+        System.arraycopy(corner, 0, nearestA, 0, 3);
+        System.arraycopy(corner, 0, nearestB, 0, 3);
+        return true;
+      }
+    }
+    return false;
   }
 
   private Result result(double ofRest) {
@@ -168,6 +205,8 @@ public final class Clearance {
       if (middle > piece.from() && middle < piece.to()) {
         tight(piece.row(), piece.from(), middle, a, b, pieces);
         tight(piece.row(), middle, piece.to(), a, b, pieces);
+      } else {
+        leftOut = Math.min(leftOut, piece.lower()); // too short to be divided
       }
     } else {
       tight(piece.row(), piece.from(), piece.to(), a, b, pieces);
@@ -179,8 +218,9 @@ public final class Clearance {
       PriorityQueue<Piece> pieces, int row, double from, double to, PartTree a, PartTree b) {
     place(row);
     path.controls(from, to, b.centre, alone);
-    double bound = distance.between(new PointHull(a.centre, 0), single);
-    bound = Math.max(0, distance.lowerBound()) - a.radius - b.radius;
+    distance.between(new PointHull(a.centre, 0), single);
+    double stretched = Math.max(1, path.stretch(from, to)) * b.radius;
+    double bound = distance.lowerBound() - a.radius - stretched;
     keep(new Piece(bound, row, from, to, a, b, false), pieces);
   }
 

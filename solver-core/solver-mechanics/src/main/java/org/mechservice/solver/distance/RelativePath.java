@@ -120,6 +120,46 @@ final class RelativePath {
     }
   }
 
+  /**
+   * Returns a bound of the length that a unit vector of B has in A's axes over a part of the time:
+   * curves between two rows do not keep lengths. It is the norm of the four control matrices, each
+   * by the circles of Gershgorin around the eigenvalues of CᵀC; 1 for a body that does not turn.
+   */
+  double stretch(double from, double to) {
+    double third = (to - from) / 3;
+    at(from);
+    double most = Math.max(square(0), square(third));
+    at(to);
+    return Math.sqrt(Math.max(most, Math.max(square(0), square(0 - third))));
+  }
+
+  /** Bounds the square of the norm of the matrix now + third change. */
+  private double square(double third) {
+    double most = 0;
+    for (int i = 0; i < 3; i++) {
+      double sum = 0;
+      for (int j = 0; j < 3; j++) {
+        double product = 0;
+        for (int k = 0; k < 9; k += 3) {
+          product += (now[k + i] + third * change[k + i]) * (now[k + j] + third * change[k + j]);
+        }
+        sum += Math.abs(product);
+      }
+      most = Math.max(most, sum);
+    }
+    return most;
+  }
+
+  /** Writes a place in A's axes at the first row in the axes of B. */
+  void back(double[] place, double[] out) {
+    for (int i = 0; i < 3; i++) {
+      out[i] = 0;
+      for (int j = 0; j < 3; j++) {
+        out[i] += value[0][3 * j + i] * (place[j] - value[0][9 + j]);
+      }
+    }
+  }
+
   private static void apply(double[] pose, double[] points, int p, double[] out, int at) {
     for (int i = 0; i < 3; i++) {
       out[at + i] =

@@ -1,38 +1,42 @@
 package org.mechservice.solver.distance;
 
-import org.mechservice.solver.api.capability.BodyPoses;
+import java.util.List;
 
 /** How well the rows of a run tell what lies between them. */
 public final class RowPaths {
   private RowPaths() {}
 
   /**
-   * Returns by how much the curves through every second row miss the places of a body at the rows
-   * between. Curves through all rows miss the motion by less: by a sixteenth where it is smooth.
+   * Returns by how much the curves through every second row miss the places of a body B in the axes
+   * of a body A at the rows between. Curves through all rows miss the motion by less: by a
+   * sixteenth where it is smooth. What a place is missed by is linear in it, so the corners of a
+   * box about B are missed most.
    *
    * @param times of the rows, s, ascending
-   * @param poses of the body at the rows, each the numbers of {@code BodyPoses}
-   * @param reach distance of its farthest point from its origin, m
+   * @param ofA poses of A at the rows, each the numbers of {@code BodyPoses}
+   * @param ofB of B
+   * @param partsB the parts of B, in its axes
    */
-  public static double missed(double[] times, double[][] poses, double reach) {
+  public static double missed(
+      double[] times, double[][] ofA, double[][] ofB, List<SolidPart> partsB) {
     RelativePath path = new RelativePath();
-    double[] world = new double[BodyPoses.NUMBERS_PER_BODY];
-    world[3] = 1;
-    double[] points = {0, 0, 0, reach, 0, 0, 0, reach, 0, 0, 0, reach};
-    double[] told = new double[points.length];
-    double[] there = new double[points.length];
+    double[] corners = box(partsB);
+    double[] told = new double[corners.length];
+    double[] there = new double[corners.length];
     double most = 0;
     for (int row = 1; row + 1 < times.length; row += 2) {
-      double[][] still = {world, world};
       double span = times[row + 1] - times[row - 1];
       if (!(span > 0)) {
         continue; // rows before and after an event
       }
-      path.between(still, new double[][] {poses[row - 1], poses[row + 1]}, span);
-      path.places((times[row] - times[row - 1]) / span, points, told);
-      path.between(still, new double[][] {poses[row], poses[row]}, 0);
-      path.places(0, points, there);
-      for (int p = 0; p < points.length; p += 3) {
+      path.between(
+          new double[][] {ofA[row - 1], ofA[row + 1]},
+          new double[][] {ofB[row - 1], ofB[row + 1]},
+          span);
+      path.places((times[row] - times[row - 1]) / span, corners, told);
+      path.between(new double[][] {ofA[row], ofA[row]}, new double[][] {ofB[row], ofB[row]}, 0);
+      path.places(0, corners, there);
+      for (int p = 0; p < corners.length; p += 3) {
         double square = 0;
         for (int i = p; i < p + 3; i++) {
           square += (told[i] - there[i]) * (told[i] - there[i]);
@@ -41,5 +45,23 @@ public final class RowPaths {
       }
     }
     return most;
+  }
+
+  /** Returns the corners of a box about parts. */
+  private static double[] box(List<SolidPart> parts) {
+    double[] least = new double[3];
+    double[] greatest = new double[3];
+    for (int i = 0; i < 3; i++) {
+      int axis = i;
+      least[i] = parts.stream().mapToDouble(p -> p.centre()[axis] - p.radius()).min().orElse(0);
+      greatest[i] = parts.stream().mapToDouble(p -> p.centre()[axis] + p.radius()).max().orElse(0);
+    }
+    double[] corners = new double[24];
+    for (int i = 0; i < corners.length; i++) {
+      int axis = i % 3;
+      int side = ((i / 3) >> axis) & 1;
+      corners[i] = side == 0 ? least[axis] : greatest[axis];
+    }
+    return corners;
   }
 }

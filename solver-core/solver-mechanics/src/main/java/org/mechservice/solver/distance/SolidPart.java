@@ -55,7 +55,8 @@ public final class SolidPart {
     double[] points = new double[24];
     for (int i = 0; i < points.length; i++) {
       int axis = i % 3;
-      points[i] = centre[axis] + ((i / 3 >> axis & 1) - 0.5) * edges[axis];
+      int side = ((i / 3) >> axis) & 1;
+      points[i] = centre[axis] + (side - 0.5) * edges[axis];
     }
     return hull(points);
   }
@@ -143,12 +144,6 @@ public final class SolidPart {
     for (int i = 0; i < 3; i++) {
       points[at + i] = centre[i] + cosine * across[0][i] + sine * across[1][i];
     }
-  }
-
-  /** Returns the distance from the body's origin that no point of the part exceeds, m. */
-  public double reach() {
-    double square = centre[0] * centre[0] + centre[1] * centre[1] + centre[2] * centre[2];
-    return Math.sqrt(square) + radius;
   }
 
   /** Returns the shape itself. */

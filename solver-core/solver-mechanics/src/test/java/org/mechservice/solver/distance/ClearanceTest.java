@@ -3,8 +3,10 @@ package org.mechservice.solver.distance;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -135,7 +137,7 @@ class ClearanceTest {
   @Test
   void surfaceIsSearchedBySubdivision() {
     rows(36, 0.01);
-    java.util.ArrayList<SolidPart> wall = new java.util.ArrayList<>();
+    List<SolidPart> wall = new ArrayList<>();
     for (int i = -50; i < 50; i++) {
       for (int k = -50; k < 50; k++) {
         double x = 0.01 * i;
@@ -156,9 +158,83 @@ class ClearanceTest {
     rows(36, 0);
     // every second row: R h⁴/384 with h = 2π/18
     double expected = 0.1 * Math.pow(TURN / 18, 4) / 384;
-    assertThat(RowPaths.missed(times, turning, 0.1)).isCloseTo(expected, within(0.05 * expected));
+    List<SolidPart> point = List.of(SolidPart.ball(new double[] {0.1, 0, 0}, 0));
+    assertThat(RowPaths.missed(times, still, turning, point))
+        .isCloseTo(expected, within(0.05 * expected));
     rows(72, 0);
-    assertThat(RowPaths.missed(times, turning, 0.1))
+    assertThat(RowPaths.missed(times, still, turning, point))
         .isCloseTo(expected / 16, within(0.05 * expected / 16));
+  }
+
+  /**
+   * A small body that spins sees a post that is far away turn around it: the rows know that less.
+   */
+  @Test
+  void rowsOfAPairAreJudgedByTheirRelativeMotion() {
+    rows(18, 0.05);
+    List<SolidPart> spinner =
+        List.of(SolidPart.box(new double[3], new double[] {0.02, 0.02, 0.02}));
+    List<SolidPart> post = List.of(SolidPart.ball(new double[] {1, 0, 0}, 0.1));
+    double truth = 1 - 0.1 - 0.01 * Math.sqrt(2);
+    Clearance.Result found = new Clearance(spinner, post).along(times, turning, still, 1e-7);
+    double missed = RowPaths.missed(times, turning, still, post);
+    assertThat(found.least()).isCloseTo(truth, within(missed));
+    assertThat(found.proved() - missed).isLessThanOrEqualTo(truth);
+    Clearance.Result other = new Clearance(post, spinner).along(times, still, turning, 1e-7);
+    double less = RowPaths.missed(times, still, turning, spinner);
+    assertThat(less).isLessThan(0.1 * missed);
+    assertThat(other.least()).isCloseTo(truth, within(less + 1e-7));
+  }
+
+  /** Few rows: curves between them stretch the body, and balls around its parts with it. */
+  @Test
+  void boundsOfBallsHoldWhereCurvesStretchABody() {
+    Random random = new Random(6);
+    for (int i = 0; i < 300; i++) {
+      int count = 1 + i % 4;
+      rows(count, random.nextDouble());
+      List<SolidPart> rod = new ArrayList<>();
+      for (int k = 0; k < 8; k++) {
+        double[] centre = {0.1 * k + 0.05, 0.1 * random.nextGaussian(), 0};
+        rod.add(SolidPart.box(centre, new double[] {0.1, 0.02, 0.02}));
+      }
+      double[] at = {random.nextGaussian(), random.nextGaussian(), 0.1 * random.nextGaussian()};
+      Clearance clearance = new Clearance(List.of(SolidPart.ball(at, 0.05)), rod);
+      Clearance.Result coarse = clearance.along(times, still, turning, 1e-2);
+      Clearance.Result fine = clearance.along(times, still, turning, 1e-6);
+      assertThat(coarse.proved()).as("case %d", i).isLessThanOrEqualTo(fine.least() + 1e-12);
+      assertThat(fine.least() - fine.proved()).isLessThanOrEqualTo(1.001e-6);
+    }
+  }
+
+  /** A ball in a closed cube of triangles, and the cube about the ball. */
+  @Test
+  void bodyInsideASurfaceOverlapsIt() {
+    rows(4, 0);
+    List<SolidPart> cube = new ArrayList<>();
+    for (int axis = 0; axis < 3; axis++) {
+      for (int side = -1; side <= 1; side += 2) {
+        double[][] corner = new double[4][3];
+        for (int c = 0; c < 4; c++) {
+          corner[c][axis] = side;
+          corner[c][(axis + 1) % 3] = c == 0 || c == 3 ? -1 : 1;
+          corner[c][(axis + 2) % 3] = c < 2 ? -1 : 1;
+        }
+        cube.add(triangle(corner[0], corner[1], corner[2]));
+        cube.add(triangle(corner[0], corner[2], corner[3]));
+      }
+    }
+    List<SolidPart> inside = List.of(SolidPart.ball(new double[] {0.3, 0.2, 0.1}, 0.1));
+    List<SolidPart> outside = List.of(SolidPart.ball(new double[] {0.3, 0.2, 2.1}, 0.1));
+    assertThat(new Clearance(cube, inside).along(times, still, turning, 1e-6).least()).isZero();
+    assertThat(new Clearance(inside, cube).along(times, still, turning, 1e-6).least()).isZero();
+    assertThat(new Clearance(cube, outside).along(times, still, turning, 1e-6).least())
+        .isCloseTo(1, within(1e-12));
+    assertThat(new Clearance(outside, cube).along(times, still, turning, 1e-6).least())
+        .isCloseTo(1, within(1e-12));
+  }
+
+  private static SolidPart triangle(double[] a, double[] b, double[] c) {
+    return SolidPart.hull(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]);
   }
 }

@@ -48,29 +48,29 @@ class CoalDistancesTest {
   private static ConvexShape shape(String kind, double[] n, int at) {
     double[] low = point(n, at, 0, 0, -n[at + 1] / 2);
     double[] high = point(n, at, 0, 0, n[at + 1] / 2);
-    switch (kind) {
-      case "box":
-        double[] corners = new double[24];
-        for (int i = 0; i < 8; i++) {
-          double x = ((i & 1) - 0.5) * n[at];
-          double y = ((i >> 1 & 1) - 0.5) * n[at + 1];
-          double z = ((i >> 2) - 0.5) * n[at + 2];
-          System.arraycopy(point(n, at, x, y, z), 0, corners, 3 * i, 3);
-        }
-        return new PointHull(corners, 0);
-      case "cylinder":
-        return new Frustum(low, high, n[at], n[at]);
-      case "cone":
-        return new Frustum(low, high, n[at], 0);
-      case "ball":
-        return new PointHull(point(n, at, 0, 0, 0), n[at]);
-      case "capsule":
+    return switch (kind) {
+      case "box" -> box(n, at);
+      case "cylinder" -> new Frustum(low, high, n[at], n[at]);
+      case "cone" -> new Frustum(low, high, n[at], 0);
+      case "ball" -> new PointHull(point(n, at, 0, 0, 0), n[at]);
+      case "capsule" -> {
         double[] ends = Arrays.copyOf(low, 6);
         System.arraycopy(high, 0, ends, 3, 3);
-        return new PointHull(ends, n[at]);
-      default:
-        throw new IllegalArgumentException(kind);
+        yield new PointHull(ends, n[at]);
+      }
+      default -> throw new IllegalArgumentException(kind);
+    };
+  }
+
+  private static ConvexShape box(double[] n, int at) {
+    double[] corners = new double[24];
+    for (int i = 0; i < 8; i++) {
+      double x = ((i & 1) - 0.5) * n[at];
+      double y = (((i >> 1) & 1) - 0.5) * n[at + 1];
+      double z = ((i >> 2) - 0.5) * n[at + 2];
+      System.arraycopy(point(n, at, x, y, z), 0, corners, 3 * i, 3);
     }
+    return new PointHull(corners, 0);
   }
 
   private static double[] point(double[] n, int at, double x, double y, double z) {
