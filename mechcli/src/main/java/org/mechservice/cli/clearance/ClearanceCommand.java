@@ -14,6 +14,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -213,6 +214,10 @@ public final class ClearanceCommand implements Callable<Integer> {
     String text = String.valueOf(why.getMessage());
     boolean coded = why instanceof MechmlException || text.matches("(?s)[MNS]-\\d{3} .*");
     return coded ? text : MessageCode.CLEARANCE_UNUSABLE + " " + text;
+  }
+
+  private static List<SolidPart> shape(String body, Map<String, List<SolidPart>> parts) {
+    return Objects.requireNonNull(parts.get(body));
   }
 
   private static double missed(Pair pair, Map<String, List<SolidPart>> parts, BodyMotion motion) {
