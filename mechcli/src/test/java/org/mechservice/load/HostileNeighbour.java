@@ -34,6 +34,9 @@ final class HostileNeighbour {
   /** Time after which the client of such a text goes away. */
   private static final long BOMB_MILLIS = 20_000;
 
+  /** Time that what takes all of her places leaves to her other attacks, which wait behind it. */
+  private static final long LEFT_MILLIS = 30_000;
+
   private static final int SESSIONS = 60;
 
   /** As many as she may have without those of her other attacks. */
@@ -127,7 +130,7 @@ final class HostileNeighbour {
     loader.start();
     loader.join(BOMB_MILLIS);
     session.destroy();
-    Thread.sleep(BOMB_MILLIS); // for set-ups of the other attacks
+    Thread.sleep(LEFT_MILLIS); // for set-ups of the other attacks
   }
 
   private static byte[] loops() {
@@ -275,7 +278,7 @@ final class HostileNeighbour {
     } finally {
       session.destroy();
     }
-    Thread.sleep(15_000); // for runs of the other attacks
+    Thread.sleep(LEFT_MILLIS); // for runs of the other attacks
   }
 
   private void allSessions(MechServer server) throws Exception {
