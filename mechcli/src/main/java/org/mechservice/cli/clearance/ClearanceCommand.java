@@ -61,7 +61,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Says how near bodies come to each other over a run, and when.",
       "The least distance has a proved lower bound: a passage between two rows is not stepped over."
-          + " Bodies are taken by their solids, those without solids as they look."
+          + " Bodies are taken by their solids, or as they look if they have none."
     },
     footer = {
       "mech clearance model.xml --least 2mm",
